@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// Phase averages: sums of mass, momentum and second moments of velocity, by phase of the cycle and height above the
+// plate. One rule for both engines: particles deposit themselves, continuum cells deposit the same moments of the
+// distribution they stand for, so a difference between profiles is never one of averaging. In particular a gradient
+// of u inside a bin adds to T alike in both (about (du/dz)^2 width^2 / 12 / 3).
+// Sums are kept in blocks of cycles, from which standard errors follow by leaving one block out (jackknife).
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "fields/bins.hpp"
+#include "fields/profile.hpp"
+#include "files/checkpoint.hpp"
+#include "files/hdf5.hpp"
+#include "scene/plate_motion.hpp"
+
+namespace fields {
+
+class PhaseMoments {
+  public:
+    /// Moments kept for each bin: mass, three momenta, three diagonal second moments.
+    static constexpr int moments = 7;
+
+    /// area: horizontal area of the cell, sigma^2. cycles: how many will be averaged. blocks <= cycles.
+    PhaseMoments(std::int64_t phases, Bins bins, double area, std::int64_t cycles, std::int64_t blocks);
+
+    /// Names the instant that the following deposits belong to: cycle counts from 0 at the start of averaging.
+    void begin_sample(std::int64_t cycle, std::int64_t phase);
+    /// One particle of unit mass.
+    void add_particle(double height_above_plate, const std::array<double, 3>& velocity);
+    /// One continuum cell between two heights: number density, lab-frame velocity, isotropic temperature; shared among
+    /// the bins it overlaps. `area_share` is the cell's share of the horizontal area (1 for a column).
+    void add_slab(double lower, double upper, double density, const std::array<double, 3>& velocity, double temperature,
+                  double area_share = 1.0);
+
+    std::int64_t phases() const { return phases_; }
+    std::int64_t blocks() const { return blocks_; }
+    std::int64_t cycles() const { return cycles_; }
+    const Bins& bins() const { return bins_; }
+    double area() const { return area_; }
+
+    /// Averages over all blocks, or over all but one.
+    Profile profile(std::int64_t phase, const scene::PlateMotion& motion,
+                    std::optional<std::int64_t> left_out_block = std::nullopt) const;
+
+    /// Height of the centre of mass, lab frame, of every particle or slab ever deposited at this phase and cycle.
+    /// Shape (cycles, phases); NaN where not sampled.
+    const std::vector<double>& centre_of_mass() const { return centre_of_mass_; }
+    /// Set by the owner of the sample, which knows all the mass (bins may end below the ceiling).
+    void set_centre_of_mass(double height_lab);
+    /// Mean over cycles and its standard error over blocks, at a phase.
+    std::pair<double, double> mean_centre_of_mass(std::int64_t phase,
+                                                  std::optional<std::int64_t> left_out_block = std::nullopt) const;
+
+    void save(files::CheckpointWriter& out, const std::string& prefix) const;
+    void restore(const files::CheckpointReader& in, const std::string& prefix);
+    void write(files::Hdf5File& file, const std::string& group) const;
+    static PhaseMoments read(const files::Hdf5File& file, const std::string& group);
+
+  private:
+    std::size_t offset(std::int64_t block, std::int64_t phase, std::int64_t bin) const;
+    std::int64_t block_of(std::int64_t cycle) const { return cycle * blocks_ / cycles_; }
+
+    std::int64_t phases_, cycles_, blocks_;
+    Bins bins_;
+    double area_;
+    std::int64_t cycle_ = 0, phase_ = 0;
+    std::vector<double> sums_;             // (blocks, phases, bins, moments)
+    std::vector<std::int64_t> samples_;    // (blocks, phases)
+    std::vector<double> centre_of_mass_;   // (cycles, phases)
+};
+
+}  // namespace fields

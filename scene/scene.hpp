@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: MIT
+// An experiment as plain values: what a scene file says, resolved and checked, for both engines.
+// Units everywhere: sphere diameter sigma = 1, particle mass m = 1, gravity g = 1.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "scene/plate_motion.hpp"
+#include "scene/restitution.hpp"
+
+namespace scene {
+
+/// Where a value was written, so that whoever refuses it can point at it.
+struct Place {
+    std::string source;  // file name, "--set" or empty for a default
+    int line = 0;
+    int column = 0;
+    std::string text;  // the line itself
+};
+
+/// A name chosen from a table that its owner keeps (a closure, a flux); the owner refuses it with its place.
+struct Choice {
+    std::string name;
+    Place place;
+};
+
+enum class Kind { layer };
+
+struct Plate {
+    double acceleration = 3.0;             // Gamma, peak acceleration over g
+    std::optional<double> frequency;       // f, in sqrt(g/sigma)
+    std::optional<double> frequency_star;  // f* = f sqrt(H)
+};
+
+struct Particles {
+    std::optional<std::int64_t> number;
+    std::optional<double> depth;  // H = 0.9 N / (Lx Ly), as poured
+    Restitution restitution = RestitutionConstant{};
+};
+
+struct Box {
+    double x = 20.0, y = 20.0;  // periodic
+    double ceiling = 200.0;     // fixed in the lab frame
+};
+
+struct Initial {
+    double volume_fraction = 0.3;
+    double temperature = 1.0;
+    double noise = 0.0;  // relative amplitude of random density noise (continuum)
+    std::uint64_t seed = 1;
+    std::string file;
+};
+
+struct Sample {
+    std::int64_t phases = 200;   // a cycle
+    std::int64_t settle = 10;    // cycles before averaging
+    std::int64_t average = 50;   // cycles averaged over
+    double bin = 0.5;            // height of a bin, in sigma
+};
+
+struct Md {
+    std::uint64_t seed = 1;
+};
+
+struct Continuum {
+    Choice dimension{"auto", {}};
+    Choice scheme{"muscl", {}};
+    Choice flux{"hllc", {}};
+    Choice limiter{"van_leer", {}};
+    Choice closure{"jenkins_richman", {}};
+    Choice pair_correlation{"goldshtein", {}};
+    Choice transport{"navier_stokes", {}};
+    std::optional<double> restitution;  // a constant in place of the scene's law
+    double spacing = 0.2;               // vertical, in sigma
+    double spacing_horizontal = 2.0;    // in sigma
+    double lid = 80.0;                  // height above the plate, moving with it
+    double cfl = 0.8;
+    double floor_density = 1e-7;        // relative to the mean density N / (Lx Ly lid)
+    double floor_temperature = 1e-4;    // in g sigma
+};
+
+struct Scene {
+    std::string name;
+    Kind kind = Kind::layer;
+    Plate plate;
+    Particles particles;
+    Box box;
+    Initial initial;
+    Sample sample;
+    Md md;
+    Continuum continuum;
+
+    // What the values above imply; filled by the reader (scene/read_scene.hpp).
+    PlateMotion motion;
+    std::int64_t number_of_particles = 0;
+    double depth = 0.0;  // H
+
+    double number_per_area() const { return static_cast<double>(number_of_particles) / (box.x * box.y); }
+};
+
+}  // namespace scene
