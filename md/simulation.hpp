@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: MIT
+// Event-driven molecular dynamics of smooth inelastic hard spheres: between collisions every particle flies on its
+// exact path, and the next collision of the whole system is found, never stepped over.
+// Box periodic in x and y, oscillating plate below, fixed ceiling above, gravity 1; or periodic in three directions.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "files/checkpoint.hpp"
+#include "md/audit.hpp"
+#include "md/snapshot.hpp"
+#include "md/uniform_system.hpp"
+#include "scene/scene.hpp"
+
+namespace md {
+
+class Engine;
+
+/// Knobs of the method, not of the physics: they change the speed and the round-off, never the statistics.
+struct Options {
+    double shell = 0.0;            // reach of a neighbour list beyond contact, sigma; 0: chosen from the density
+    int frames_per_cycle = 0;      // how often the frame is made to follow the layer; 0: the default
+    int cycles_between_sorts = 0;  // particles are reordered in space this often; 0: the default
+};
+
+/// One run. Movable, not copyable. The trajectory is a function of the scene, the seed and the options alone: not of
+/// how often advance_to is called, nor of checkpoints in between.
+class Simulation {
+  public:
+    /// Random flat layer from scene.md.seed (a scene with initial.seed = s and md.seed = t uses both).
+    /// Throws CannotSetUp when the particles do not fit.
+    explicit Simulation(const scene::Scene& scene, const Options& options = {});
+    explicit Simulation(const UniformSystem& system, const Options& options = {});
+    /// From given lab-frame positions and velocities at cycle 0, time 0, in place of the random layer.
+    /// Throws CannotSetUp when particles overlap each other, the plate or the ceiling.
+    Simulation(const scene::Scene& scene, const Snapshot& start, const Options& options = {});
+    ~Simulation();
+    Simulation(Simulation&&) noexcept;
+    Simulation& operator=(Simulation&&) noexcept;
+
+    /// Processes every event up to and including this instant. Does nothing when the instant is past already.
+    /// Throws Stalled on inelastic collapse, InvariantBroken when a promise fails.
+    void advance_to(std::int64_t cycle, double time_in_cycle);
+    /// Processes exactly this many pair collisions.
+    void advance_collisions(std::int64_t pair_collisions);
+
+    std::int64_t cycle() const;
+    double time_in_cycle() const;
+    double plate_period() const;
+    std::int64_t particles() const;
+
+    Snapshot snapshot() const;
+    Ledger ledger() const;
+    Counters counters() const;
+    /// All pairs through cells at this instant: largest overlap, particles beyond the walls.
+    Audit audit() const;
+    /// Bytes of the engine's own arrays, for all particles together.
+    std::int64_t memory() const;
+
+    /// The whole state; restore() into a Simulation of the same scene and options continues with the same bits.
+    void save(files::CheckpointWriter& out) const;
+    /// Throws files::Damaged if the checkpoint is of another system.
+    void restore(const files::CheckpointReader& in);
+    /// Equal states have equal hashes.
+    std::uint64_t state_hash() const;
+
+  private:
+    std::unique_ptr<Engine> engine_;
+};
+
+}  // namespace md

@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// A box periodic in all three directions, without gravity or plate: the reference state of hard-sphere theory.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/restitution.hpp"
+
+namespace md {
+
+struct UniformSystem {
+    std::int64_t particles = 4000;
+    double volume_fraction = 0.3;  // the cubic box follows: L^3 = pi N / (6 nu)
+    double temperature = 1.0;      // of the initial Maxwell velocities, scaled to be exact; total momentum zero
+    double period = 1.0;           // length of a "cycle": the clock is rebased this often
+    std::uint64_t seed = 1;
+    scene::Restitution restitution = scene::RestitutionConstant{1.0};
+
+    double box_length() const;
+};
+
+}  // namespace md
