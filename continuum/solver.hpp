@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: MIT
+// The continuum engine: granular hydrodynamics of one scene in the frame of the plate, in 1, 2 or 3 dimensions.
+// Equations: Jenkins & Richman 1985 to Navier-Stokes order. Scheme: finite volumes in conservative variables, explicit
+// in the acoustics (strong-stability-preserving Runge-Kutta), implicit in the diffusion, exact in the cooling.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+
+#include "files/checkpoint.hpp"
+#include "scene/scene.hpp"
+
+namespace continuum {
+
+/// One column of cells, bottom to top; shape (cells_z,) each. Plate frame: z = 0 at the plate, so the lab velocity is
+/// velocity_z plus the plate's, the lab height z plus the plate's position. Density in particles per sigma^3.
+/// Valid until the solver advances.
+struct ColumnView {
+    std::span<const double> density, velocity_x, velocity_y, velocity_z, temperature;
+};
+
+/// Totals per horizontal area, since the start. Energies are in the frame of the plate:
+/// energy = initial_energy + body_force_work - collisional_loss + floor_gain + dual_energy_gain, to round-off.
+struct Ledger {
+    double energy = 0.0;  // 3/2 n T + n u^2 / 2, now
+    double initial_energy = 0.0;
+    double body_force_work = 0.0;   // of gravity and of the frame's acceleration
+    double collisional_loss = 0.0;  // the sink gamma
+    double floor_gain = 0.0;        // heat added where the temperature met its floor
+    double dual_energy_gain = 0.0;  // difference where the internal energy equation is trusted over the total energy
+    double plate_impulse = 0.0;     // integral over time of the normal stress on the plate
+    double lid_impulse = 0.0;       // the same on the lid
+};
+
+class Solver {
+  public:
+    /// Builds the scene's initial state at cycle 0, phase 0. Throws scene::SceneError (with the place) for a name of
+    /// [continuum] that no table has or values that contradict each other.
+    explicit Solver(const scene::Scene& scene);
+    ~Solver();
+    Solver(Solver&&) noexcept;
+    Solver& operator=(Solver&&) noexcept;
+
+    /// Advances to the sample instant phase/phases of a cycle, phases as in the scene's [sample]. Steps end exactly on
+    /// every sample instant on the way, and nothing else shapes them, so that no output changes an answer.
+    /// Throws std::logic_error for an instant in the past, RunFailed where the method fails.
+    void advance_to_phase(std::int64_t cycle, std::int64_t phase);
+
+    std::int64_t cycle() const;
+    double time_in_cycle() const;
+    std::int64_t phase() const;  // sample instant reached
+
+    std::int64_t cells_x() const;
+    std::int64_t cells_y() const;
+    std::int64_t cells_z() const;
+    double spacing_x() const;
+    double spacing_y() const;
+    double spacing_z() const;
+
+    ColumnView column(std::int64_t ix, std::int64_t iy) const;
+
+    double mass() const;         // particles per horizontal area
+    std::int64_t steps() const;  // since the start of the history, restarts included
+    Ledger ledger() const;
+
+    void save(files::CheckpointWriter& out) const;
+    /// Continues bit for bit. Throws files::Damaged where the checkpoint does not fit this scene.
+    void restore(const files::CheckpointReader& in);
+    std::uint64_t state_hash() const;
+
+  private:
+    struct Parts;
+    std::unique_ptr<Parts> parts_;
+};
+
+}  // namespace continuum
