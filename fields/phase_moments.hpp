@@ -69,9 +69,9 @@ class PhaseMoments {
     Bins bins_;
     double area_;
     std::int64_t cycle_ = 0, phase_ = 0;
-    std::vector<double> sums_;             // (blocks, phases, bins, moments)
-    std::vector<std::int64_t> samples_;    // (blocks, phases)
-    std::vector<double> centre_of_mass_;   // (cycles, phases)
+    std::vector<double> sums_;            // (blocks, phases, bins, moments)
+    std::vector<std::int64_t> samples_;   // (blocks, phases)
+    std::vector<double> centre_of_mass_;  // (cycles, phases)
 };
 
 }  // namespace fields

@@ -20,7 +20,9 @@ struct Profile {
     double plate_height = 0.0;          // of the plate, lab frame
     double plate_velocity = 0.0;
 
-    double volume_fraction(std::int64_t i) const { return density[static_cast<std::size_t>(i)] * std::numbers::pi / 6.0; }
+    double volume_fraction(std::int64_t i) const {
+        return density[static_cast<std::size_t>(i)] * std::numbers::pi / 6.0;
+    }
     double height(std::int64_t i) const { return plate_height + bins.centre(i); }  // lab frame
 };
 

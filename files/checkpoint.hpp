@@ -25,9 +25,11 @@ class CheckpointWriter {
         put_bytes(name, std::as_bytes(values), sizeof(T));
     }
     template <class T>
-    void put(std::string_view name, const std::vector<T>& values) { put(name, std::span<const T>(values)); }
+    void put(std::string_view name, const std::vector<T>& values) {
+        put(name, std::span<const T>(values));
+    }
     template <class T>
-        requires std::is_trivially_copyable_v<T>
+    requires std::is_trivially_copyable_v<T>
     void put(std::string_view name, const T& value) { put(name, std::span<const T>(&value, 1)); }
     void put_text(std::string_view name, std::string_view text);
 

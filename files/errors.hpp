@@ -6,10 +6,20 @@
 
 namespace files {
 
-struct FileError : std::runtime_error { using std::runtime_error::runtime_error; };
-struct NoInput : FileError { using FileError::FileError; };       // not there or not readable
-struct Damaged : FileError { using FileError::FileError; };       // there, and not what it should be
-struct CannotCreate : FileError { using FileError::FileError; };  // no permission, exists already
-struct WriteFailed : FileError { using FileError::FileError; };   // disk full, I/O error
+struct FileError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+struct NoInput : FileError {
+    using FileError::FileError;
+};  // not there or not readable
+struct Damaged : FileError {
+    using FileError::FileError;
+};  // there, and not what it should be
+struct CannotCreate : FileError {
+    using FileError::FileError;
+};  // no permission, exists already
+struct WriteFailed : FileError {
+    using FileError::FileError;
+};  // disk full, I/O error
 
 }  // namespace files

@@ -52,7 +52,9 @@ class Hdf5File {
         write(name, std::span<const T>(values), Shape{values.size()});
     }
     void write(const std::string& name, double value) { write<double>(name, std::span(&value, 1), Shape{}); }
-    void write(const std::string& name, std::int64_t value) { write<std::int64_t>(name, std::span(&value, 1), Shape{}); }
+    void write(const std::string& name, std::int64_t value) {
+        write<std::int64_t>(name, std::span(&value, 1), Shape{});
+    }
     void write_text(const std::string& name, std::string_view text);
 
     /// Appends one slab along an extensible first axis; makes the dataset at the first call. `shape` is one slab's.

@@ -12,7 +12,7 @@ namespace files {
 struct Provenance {
     std::string scene_text;  // the resolved scene, TOML
     std::uint64_t seed = 0;
-    std::string parent;      // checkpoint this run went on from, or empty
+    std::string parent;  // checkpoint this run went on from, or empty
 };
 
 /// Writes group /provenance and the units under /parameters/units. Wall-clock time goes to an attribute only, so

@@ -54,10 +54,10 @@ struct Initial {
 };
 
 struct Sample {
-    std::int64_t phases = 200;   // a cycle
-    std::int64_t settle = 10;    // cycles before averaging
-    std::int64_t average = 50;   // cycles averaged over
-    double bin = 0.5;            // height of a bin, in sigma
+    std::int64_t phases = 200;  // a cycle
+    std::int64_t settle = 10;   // cycles before averaging
+    std::int64_t average = 50;  // cycles averaged over
+    double bin = 0.5;           // height of a bin, in sigma
 };
 
 struct Md {
@@ -77,8 +77,8 @@ struct Continuum {
     double spacing_horizontal = 2.0;    // in sigma
     double lid = 80.0;                  // height above the plate, moving with it
     double cfl = 0.8;
-    double floor_density = 1e-7;        // relative to the mean density N / (Lx Ly lid)
-    double floor_temperature = 1e-4;    // in g sigma
+    double floor_density = 1e-7;      // relative to the mean density N / (Lx Ly lid)
+    double floor_temperature = 1e-4;  // in g sigma
 };
 
 struct Scene {

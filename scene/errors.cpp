@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include "scene/errors.hpp"
+
+#include <fmt/format.h>
+
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace scene {
+
+namespace {
+
+std::string pointing_at(const Place& place, const std::string& message) {
+    if (place.source.empty()) return message;
+    std::string text = place.line > 0 ? fmt::format("{}:{}:{}: {}", place.source, place.line, place.column, message)
+                                      : fmt::format("{}: {}", place.source, message);
+    if (!place.text.empty()) {
+        text += fmt::format("\n{:>6} | {}\n       | {:>{}}", place.line, place.text, '^', std::max(1, place.column));
+    }
+    return text;
+}
+
+/// Insertions, deletions, replacements and swaps of neighbours that turn a into b.
+std::size_t edit_distance(const std::string& a, const std::string& b) {
+    std::vector<std::size_t> two_rows_up(b.size() + 1), row_up(b.size() + 1), row(b.size() + 1);
+    std::iota(row_up.begin(), row_up.end(), std::size_t{0});
+    for (std::size_t i = 1; i <= a.size(); ++i) {
+        row[0] = i;
+        for (std::size_t j = 1; j <= b.size(); ++j) {
+            row[j] = std::min({row_up[j] + 1, row[j - 1] + 1, row_up[j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1)});
+            if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
+                row[j] = std::min(row[j], two_rows_up[j - 2] + 1);
+            }
+        }
+        std::swap(two_rows_up, row_up);
+        std::swap(row_up, row);
+    }
+    return row_up[b.size()];
+}
+
+}  // namespace
+
+SceneError::SceneError(const Place& where, const std::string& message)
+    : std::runtime_error(pointing_at(where, message)), place(where) {}
+
+std::string nearest_word(const std::string& written, const std::vector<std::string>& known) {
+    std::string best;
+    std::size_t least = std::max<std::size_t>(1, written.size() / 2);
+    for (const std::string& word : known) {
+        const std::size_t distance = edit_distance(written, word);
+        if (distance <= least && (best.empty() || distance < least)) {
+            least = distance;
+            best = word;
+        }
+    }
+    return best;
+}
+
+SceneError unknown_choice(const std::string& parameter, const Choice& choice, const std::vector<std::string>& known) {
+    std::string message =
+        fmt::format("{} = \"{}\" is unknown; known: {}", parameter, choice.name, fmt::join(known, ", "));
+    const std::string near = nearest_word(choice.name, known);
+    if (!near.empty()) message += fmt::format("; did you mean \"{}\"?", near);
+    return SceneError(choice.place, message);
+}
+
+}  // namespace scene

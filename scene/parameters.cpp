@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "scene/parameters.hpp"
+
+#include <fmt/format.h>
+
+namespace scene {
+
+std::string Range::text() const {
+    const bool below = lower > -unbounded, above = upper < unbounded;
+    if (below && above) return fmt::format("{}{}, {}]", open_lower ? '(' : '[', lower, upper);
+    if (below) return open_lower ? fmt::format("greater than {}", lower) : fmt::format("at least {}", lower);
+    if (above) return fmt::format("at most {}", upper);
+    return "a finite number";
+}
+
+const std::vector<std::string>& kind_names() {
+    static const std::vector<std::string> names{"layer"};
+    return names;
+}
+
+const std::vector<std::string>& restitution_law_names() {
+    static const std::vector<std::string> names{"constant", "velocity"};
+    return names;
+}
+
+namespace {
+
+// Largest counts are those that fit the engines' 32-bit indices with room to spare.
+constexpr Range counts{1.0, 1e9};
+constexpr Range fractions{0.0, 1.0};
+constexpr Range widths{2.0, 1e6};
+
+void describe_layer(Scene& s, ParameterVisitor& v) {
+    v.section("plate", "the oscillating plate, z_p = A (1 - cos 2 pi f t)");
+    v.number({"acceleration", "g", "peak acceleration over gravity, Gamma = 4 pi^2 f^2 A"}, s.plate.acceleration,
+             at_least_zero);
+    v.optional_number({"frequency", "sqrt(g/sigma)", "f; or give frequency_star"}, s.plate.frequency, positive);
+    v.optional_number({"frequency_star", "", "f* = f sqrt(H); or give frequency"}, s.plate.frequency_star, positive);
+
+    v.section("particles", "the grains: smooth spheres of diameter 1 and mass 1");
+    v.optional_whole({"number", "", "how many, N; or give depth"}, s.particles.number, counts);
+    v.optional_number({"depth", "sigma", "depth as poured, H = 0.9 N/(x y); or give number"}, s.particles.depth,
+                      positive);
+    v.restitution(
+        {"restitution", "",
+         "a number e in [0, 1], or { law = \"velocity\", e0 = 0.7, v0 = 1 }: 1 - (1 - e0)(v/v0)^(3/4) below v0"},
+        s.particles.restitution);
+
+    v.section("box", "the cell: periodic in x and y");
+    v.number({"x", "sigma", "width"}, s.box.x, widths);
+    v.number({"y", "sigma", "width"}, s.box.y, widths);
+    v.number({"ceiling", "sigma", "height of the ceiling of the MD, fixed in the lab"}, s.box.ceiling, widths);
+
+    v.section("initial", "a flat layer on the plate");
+    v.number({"volume_fraction", "", "of the layer at the start"}, s.initial.volume_fraction, {0.0, 0.6, true});
+    v.number({"temperature", "g sigma", "granular temperature at the start"}, s.initial.temperature, positive);
+    v.number({"noise", "", "relative amplitude of random density noise (continuum)"}, s.initial.noise, {0.0, 0.5});
+    v.seed({"seed", "", "of the random start"}, s.initial.seed);
+    v.text({"file", "", "an earlier output to start from"}, s.initial.file);
+
+    v.section("sample", "when and how fields are measured");
+    v.whole({"phases", "", "sample instants a cycle, a multiple of 20"}, s.sample.phases, {20.0, 100000.0});
+    v.whole({"settle", "cycles", "before averaging begins"}, s.sample.settle, {0.0, 1e9});
+    v.whole({"average", "cycles", "to average over"}, s.sample.average, counts);
+    v.number({"bin", "sigma", "height of a bin of the profiles"}, s.sample.bin, {0.01, 100.0});
+
+    v.section("md", "event-driven molecular dynamics");
+    v.seed({"seed", "", "of positions and velocities at the start"}, s.md.seed);
+
+    v.section("continuum", "granular hydrodynamics");
+    v.choice({"dimension", "", "\"auto\", 1, 2 or 3"}, s.continuum.dimension);
+    v.choice({"scheme", "", "discretisation"}, s.continuum.scheme);
+    v.choice({"flux", "", "numerical flux"}, s.continuum.flux);
+    v.choice({"limiter", "", "slope limiter"}, s.continuum.limiter);
+    v.choice({"closure", "", "transport coefficients"}, s.continuum.closure);
+    v.choice({"pair_correlation", "", "pair correlation at contact"}, s.continuum.pair_correlation);
+    v.choice({"transport", "", "\"navier_stokes\" or \"inviscid\""}, s.continuum.transport);
+    v.optional_number({"restitution", "", "a constant in place of the scene's law"}, s.continuum.restitution,
+                      fractions);
+    v.number({"spacing", "sigma", "vertical grid spacing"}, s.continuum.spacing, {1e-4, 10.0});
+    v.number({"spacing_horizontal", "sigma", "horizontal grid spacing"}, s.continuum.spacing_horizontal, {1e-3, 1e6});
+    v.number({"lid", "sigma", "height of the lid above the plate, with which it moves"}, s.continuum.lid, {2.0, 1e6});
+    v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
+    v.number({"floor_density", "", "least density, relative to the mean density N/(x y lid)"},
+             s.continuum.floor_density, {0.0, 0.1, true});
+    v.number({"floor_temperature", "g sigma", "least temperature"}, s.continuum.floor_temperature, {0.0, 1.0, true});
+}
+
+}  // namespace
+
+void describe(Scene& s, ParameterVisitor& v) {
+    v.section("scene", "what is computed");
+    v.text({"name", "", "of the scene, in outputs and figures"}, s.name);
+    v.kind({"kind", "", "what is simulated"}, s.kind);
+    switch (s.kind) {
+        case Kind::layer:
+            describe_layer(s, v);
+            break;
+    }
+}
+
+}  // namespace scene

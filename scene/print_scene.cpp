@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include "scene/parameters.hpp"
+#include "scene/read_scene.hpp"
+
+namespace scene {
+
+namespace {
+
+std::string toml_text(const std::string& value) {
+    std::string quoted = "\"";
+    for (const char c : value) {
+        if (c == '"' || c == '\\') quoted += '\\';
+        quoted += c;
+    }
+    return quoted + '"';
+}
+
+std::string toml_number(double value) {
+    const std::string digits = fmt::format("{}", value);
+    return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
+}
+
+std::string toml_restitution(const Restitution& law) {
+    if (const auto* constant = std::get_if<RestitutionConstant>(&law)) return toml_number(constant->e0);
+    const auto& velocity = std::get<RestitutionVelocity>(law);
+    return fmt::format("{{ law = \"velocity\", e0 = {}, v0 = {} }}", toml_number(velocity.e0),
+                       toml_number(velocity.v0));
+}
+
+/// Writes "key = value", with the words of the declaration behind each line when `explain` is set.
+class Printer : public ParameterVisitor {
+  public:
+    explicit Printer(bool explain) : explain_(explain) {}
+    std::string result;
+
+    void section(std::string_view name, std::string_view words) override {
+        result +=
+            fmt::format("{}[{}]{}\n", result.empty() ? "" : "\n", name, explain_ ? fmt::format("  # {}", words) : "");
+    }
+    void number(const About& a, double& value, const Range& r) override { line(a, toml_number(value), r.text()); }
+    void optional_number(const About& a, std::optional<double>& value, const Range& r) override {
+        if (value)
+            line(a, toml_number(*value), r.text());
+        else
+            absent(a, r.text());
+    }
+    void whole(const About& a, std::int64_t& value, const Range& r) override {
+        line(a, fmt::format("{}", value), "whole, " + r.text());
+    }
+    void optional_whole(const About& a, std::optional<std::int64_t>& value, const Range& r) override {
+        if (value)
+            line(a, fmt::format("{}", *value), "whole, " + r.text());
+        else
+            absent(a, "whole, " + r.text());
+    }
+    void seed(const About& a, std::uint64_t& value) override { line(a, fmt::format("{}", value), "whole, at least 0"); }
+    void text(const About& a, std::string& value) override { line(a, toml_text(value), "text"); }
+    void choice(const About& a, Choice& value) override { line(a, toml_text(value.name), "a name"); }
+    void kind(const About& a, Kind& value) override {
+        line(a, toml_text(kind_names()[static_cast<std::size_t>(value)]),
+             fmt::format("one of {}", fmt::join(kind_names(), ", ")));
+    }
+    void restitution(const About& a, Restitution& value) override { line(a, toml_restitution(value), ""); }
+
+  private:
+    void line(const About& a, const std::string& value, const std::string& allowed) {
+        result += fmt::format("{} = {}{}\n", a.key, value, explanation(a, allowed));
+    }
+    void absent(const About& a, const std::string& allowed) {
+        if (explain_) result += fmt::format("# {} ={}\n", a.key, explanation(a, allowed));
+    }
+    std::string explanation(const About& a, const std::string& allowed) const {
+        if (!explain_) return "";
+        std::string words = fmt::format("  # {}", a.words);
+        if (!a.unit.empty()) words += fmt::format("; in {}", a.unit);
+        if (!allowed.empty()) words += fmt::format("; {}", allowed);
+        return words;
+    }
+    bool explain_;
+};
+
+}  // namespace
+
+std::string print_scene(const Scene& scene) {
+    Scene copy = scene;
+    Printer printer(false);
+    describe(copy, printer);
+    return printer.result;
+}
+
+std::string list_parameters() {
+    Scene defaults;
+    Printer printer(true);
+    describe(defaults, printer);
+    return printer.result;
+}
+
+}  // namespace scene

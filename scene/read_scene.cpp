@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: MIT
+#include "scene/read_scene.hpp"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <set>
+#include <sstream>
+
+#include "scene/errors.hpp"
+#include "scene/parameters.hpp"
+#include "scene/resolve.hpp"
+
+namespace scene {
+
+namespace {
+
+/// Texts that values came from, by source name, so that a message can show the line.
+using Sources = std::map<std::string, std::string>;
+
+Place place_of(const toml::source_region& region, const Sources& sources) {
+    Place place;
+    place.source = region.path ? *region.path : std::string();
+    place.line = static_cast<int>(region.begin.line);
+    place.column = static_cast<int>(region.begin.column);
+    if (const auto found = sources.find(place.source); found != sources.end()) {
+        std::istringstream lines(found->second);
+        for (int i = 0; i < place.line && std::getline(lines, place.text); ++i) {
+        }
+    }
+    return place;
+}
+
+std::string described(const toml::node& node) {
+    std::ostringstream out;
+    node.visit([&](const auto& value) { out << toml::node_view<const toml::node>(&value); });
+    return out.str();
+}
+
+std::string type_name(const toml::node& node) {
+    std::ostringstream out;
+    out << node.type();
+    return out.str();
+}
+
+/// Fills a scene from a table and remembers where each value stood and which keys were asked for.
+class Reader : public ParameterVisitor {
+  public:
+    Reader(const toml::table& table, const Sources& sources) : table_(table), sources_(sources) {}
+
+    std::map<std::string, Place> places;
+
+    void section(std::string_view name, std::string_view) override {
+        section_ = name;
+        known_[section_];
+        const toml::node* node = table_.get(name);
+        if (node && !node->is_table()) {
+            throw SceneError(place(*node), fmt::format("[{}] must be a section, not {}", name, type_name(*node)));
+        }
+        keys_ = node ? node->as_table() : nullptr;
+    }
+    void number(const About& a, double& value, const Range& range) override {
+        if (const toml::node* node = find(a)) value = number_in(*node, full(a.key), range);
+    }
+    void optional_number(const About& a, std::optional<double>& value, const Range& range) override {
+        if (const toml::node* node = find(a)) value = number_in(*node, full(a.key), range);
+    }
+    void whole(const About& a, std::int64_t& value, const Range& range) override {
+        if (const toml::node* node = find(a)) value = whole_in(*node, full(a.key), range);
+    }
+    void optional_whole(const About& a, std::optional<std::int64_t>& value, const Range& range) override {
+        if (const toml::node* node = find(a)) value = whole_in(*node, full(a.key), range);
+    }
+    void seed(const About& a, std::uint64_t& value) override {
+        if (const toml::node* node = find(a)) {
+            value = static_cast<std::uint64_t>(whole_in(*node, full(a.key), {0.0, 9.2e18}));
+        }
+    }
+    void text(const About& a, std::string& value) override {
+        if (const toml::node* node = find(a)) value = text_in(*node, full(a.key));
+    }
+    void choice(const About& a, Choice& value) override {
+        const toml::node* node = find(a);
+        if (!node) return;
+        const auto whole = node->value_exact<std::int64_t>();
+        value = {whole ? fmt::format("{}", *whole) : text_in(*node, full(a.key)), place(*node)};
+    }
+    void kind(const About& a, Kind& value) override {
+        const toml::node* node = find(a);
+        if (!node) return;
+        const Choice name{text_in(*node, full(a.key)), place(*node)};
+        const auto& names = kind_names();
+        const auto found = std::find(names.begin(), names.end(), name.name);
+        if (found == names.end()) throw unknown_choice(full(a.key), name, names);
+        value = static_cast<Kind>(found - names.begin());
+    }
+    void restitution(const About& a, Restitution& value) override {
+        const toml::node* node = find(a);
+        if (!node) return;
+        const toml::table* law = node->as_table();
+        if (!law) {
+            value = RestitutionConstant{number_in(*node, full(a.key), coefficient)};
+            return;
+        }
+        value = restitution_law(*law, full(a.key), place(*node));
+    }
+
+    /// Throws at the first key that no parameter asked for.
+    void refuse_unknown_keys() const {
+        for (const auto& [section_key, node] : table_) {
+            const std::string name(section_key.str());
+            const auto known = known_.find(name);
+            if (known == known_.end()) throw unknown_section(section_key, name);
+            for (const auto& [key, value] : *node.as_table()) {
+                const std::string word(key.str());
+                if (!known->second.contains(word)) throw unknown_key(key, name, word, known->second);
+            }
+        }
+    }
+
+  private:
+    static constexpr Range coefficient{0.0, 1.0};
+
+    std::string full(std::string_view key) const { return fmt::format("{}.{}", section_, key); }
+    Place place(const toml::node& node) const { return place_of(node.source(), sources_); }
+
+    const toml::node* find(const About& about) {
+        known_[section_].insert(std::string(about.key));
+        const toml::node* node = keys_ ? keys_->get(about.key) : nullptr;
+        if (node) places[full(about.key)] = place(*node);
+        return node;
+    }
+    double number_in(const toml::node& node, const std::string& name, const Range& range) const {
+        const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+        if (!value) {
+            throw SceneError(place(node),
+                             fmt::format("{} must be a number ({}), not {}", name, range.text(), type_name(node)));
+        }
+        if (!std::isfinite(*value) || !range.contains(*value)) throw outside(node, name, range);
+        return *value;
+    }
+    std::int64_t whole_in(const toml::node& node, const std::string& name, const Range& range) const {
+        const auto value = node.value_exact<std::int64_t>();
+        if (!value) {
+            throw SceneError(place(node), fmt::format("{} must be a whole number ({}), not {}", name, range.text(),
+                                                      described(node)));
+        }
+        if (!range.contains(static_cast<double>(*value))) throw outside(node, name, range);
+        return *value;
+    }
+    std::string text_in(const toml::node& node, const std::string& name) const {
+        const auto value = node.value_exact<std::string>();
+        if (!value)
+            throw SceneError(place(node), fmt::format("{} must be a text in quotes, not {}", name, described(node)));
+        return *value;
+    }
+    SceneError outside(const toml::node& node, const std::string& name, const Range& range) const {
+        const bool interval = range.lower > -unbounded && range.upper < unbounded;
+        return SceneError(place(node), fmt::format("{} = {} {} {}", name, described(node),
+                                                   interval ? "is outside" : "must be", range.text()));
+    }
+    Restitution restitution_law(const toml::table& table, const std::string& name, const Place& where) const {
+        static const std::vector<std::string> known{"law", "e0", "v0"};
+        for (const auto& [key, value] : table) {
+            const std::string word(key.str());
+            if (std::find(known.begin(), known.end(), word) == known.end()) {
+                throw SceneError(place_of(key.source(), sources_),
+                                 fmt::format("{}.{} is unknown; known: {}", name, word, fmt::join(known, ", ")));
+            }
+        }
+        const toml::node* law = table.get("law");
+        if (!law)
+            throw SceneError(where, fmt::format("{} = {{ ... }} needs law; known: {}", name,
+                                                fmt::join(restitution_law_names(), ", ")));
+        const Choice chosen{text_in(*law, name + ".law"), place(*law)};
+        const toml::node* e0 = table.get("e0");
+        const toml::node* v0 = table.get("v0");
+        if (!e0) throw SceneError(where, fmt::format("{} = {{ law = \"{}\" }} needs e0 in [0, 1]", name, chosen.name));
+        const double coefficient_fast = number_in(*e0, name + ".e0", coefficient);
+        if (chosen.name == "constant") {
+            if (v0) throw SceneError(place(*v0), fmt::format("{}.v0 belongs to the law \"velocity\"", name));
+            return RestitutionConstant{coefficient_fast};
+        }
+        if (chosen.name == "velocity") {
+            return RestitutionVelocity{coefficient_fast, v0 ? number_in(*v0, name + ".v0", positive) : 1.0};
+        }
+        throw unknown_choice(name + ".law", chosen, restitution_law_names());
+    }
+    SceneError unknown_section(const toml::key& key, const std::string& name) const {
+        std::vector<std::string> names;
+        for (const auto& [section, keys] : known_) names.push_back(section);
+        std::string message = fmt::format("[{}] is unknown; known sections: {}", name, fmt::join(names, ", "));
+        if (const std::string near = nearest_word(name, names); !near.empty())
+            message += fmt::format("; did you mean [{}]?", near);
+        return SceneError(place_of(key.source(), sources_), message);
+    }
+    SceneError unknown_key(const toml::key& key, const std::string& section, const std::string& word,
+                           const std::set<std::string>& known) const {
+        const std::vector<std::string> names(known.begin(), known.end());
+        std::string message =
+            fmt::format("{}.{} is unknown; known in [{}]: {}", section, word, section, fmt::join(names, ", "));
+        std::string near = nearest_word(word, names);
+        for (const auto& [other, keys] : known_) {
+            if (keys.contains(word)) near = other + "." + word;
+        }
+        if (!near.empty()) message += fmt::format("; did you mean {}?", near);
+        return SceneError(place_of(key.source(), sources_), message);
+    }
+
+    const toml::table& table_;
+    const Sources& sources_;
+    std::string section_;
+    const toml::table* keys_ = nullptr;
+    std::map<std::string, std::set<std::string>> known_;
+};
+
+toml::table parse_toml(const std::string& text, const std::string& source, const Sources& sources) {
+    try {
+        return toml::parse(text, source);
+    } catch (const toml::parse_error& error) {
+        throw SceneError(place_of(error.source(), sources), std::string(error.description()));
+    }
+}
+
+void merge(toml::table& into, toml::table&& from) {
+    for (auto&& [key, node] : from) {
+        toml::table* existing = into.contains(key.str()) ? into.get(key.str())->as_table() : nullptr;
+        if (existing && node.is_table())
+            merge(*existing, std::move(*node.as_table()));
+        else
+            into.insert_or_assign(key, std::move(node));
+    }
+}
+
+/// "section.key=value" as a line of TOML; a value that is no TOML literal is taken as a text, so that
+/// --set continuum.flux=hll needs no quotes inside the shell's.
+toml::table parse_override(const std::string& written, Sources& sources) {
+    const std::size_t equals = written.find('=');
+    const std::string source = fmt::format("--set {}", written);  // each override is a source of its own
+    if (equals == std::string::npos || equals == 0 || written.substr(0, equals).find('.') == std::string::npos) {
+        throw SceneError(Place{source, 0, 0, ""}, "is not of the form section.key=value");
+    }
+    const std::string key = written.substr(0, equals), value = written.substr(equals + 1);
+    const std::string line = fmt::format("{} = {}", key, value);
+    sources[source] = line;
+    try {
+        return toml::parse(line, source);
+    } catch (const toml::parse_error&) {
+        const std::string quoted = fmt::format("{} = \"{}\"", key, value);
+        sources[source] = quoted;
+        return parse_toml(quoted, source, sources);
+    }
+}
+
+/// An override of one member of an exclusive pair takes the place of the file's other member.
+void drop_rivals(toml::table& table, const toml::table& override_table) {
+    static constexpr std::string_view pairs[][3] = {{"particles", "number", "depth"},
+                                                    {"plate", "frequency", "frequency_star"}};
+    for (const auto& [section, one, other] : pairs) {
+        toml::table* keys = table.contains(section) ? table.get(section)->as_table() : nullptr;
+        const toml::node* given = override_table.get(section);
+        if (!keys || !given || !given->is_table()) continue;
+        if (given->as_table()->contains(one)) keys->erase(other);
+        if (given->as_table()->contains(other)) keys->erase(one);
+    }
+}
+
+}  // namespace
+
+Scene parse_scene(const std::string& text, const std::string& source, const std::vector<std::string>& overrides) {
+    Sources sources{{source, text}};
+    toml::table table = parse_toml(text, source, sources);
+    std::vector<toml::table> given;
+    for (const std::string& written : overrides) {
+        given.push_back(parse_override(written, sources));
+    }
+    for (const toml::table& t : given) drop_rivals(table, t);
+    for (toml::table& t : given) merge(table, std::move(t));
+
+    Scene scene;
+    Reader reader(table, sources);
+    describe(scene, reader);
+    reader.refuse_unknown_keys();
+    if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();
+    resolve(scene, reader.places, Place{source, 0, 0, ""});
+    return scene;
+}
+
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+    if (std::filesystem::is_directory(path))
+        throw NoSceneFile(fmt::format("{}: is a folder, not a scene file", path.string()));
+    std::ifstream file(path, std::ios::binary);
+    if (!file) throw NoSceneFile(fmt::format("{}: no such scene file", path.string()));
+    std::ostringstream text;
+    text << file.rdbuf();
+    return parse_scene(text.str(), path.string(), overrides);
+}
+
+}  // namespace scene

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: MIT
+// Scene files (TOML) to Scene values and back.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace scene {
+
+/// Reads, overrides, checks and resolves. Each override is "section.key=value"; it wins over the file, and replaces
+/// the file's other member of an exclusive pair (number and depth, frequency and frequency_star).
+/// Throws NoSceneFile or SceneError (scene/errors.hpp).
+Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides = {});
+
+/// The same from text; `source` stands for the file name in messages.
+Scene parse_scene(const std::string& text, const std::string& source, const std::vector<std::string>& overrides = {});
+
+/// The resolved scene as TOML: reading it back gives the same scene.
+std::string print_scene(const Scene& scene);
+
+/// Every key with unit, range, default and words, as a commented TOML file.
+std::string list_parameters();
+
+}  // namespace scene

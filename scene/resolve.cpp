@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+#include "scene/resolve.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "scene/errors.hpp"
+
+namespace scene {
+
+namespace {
+
+/// Depth as poured of one particle a unit area (thesis section 4.2: 10 a unit area are about 9 deep).
+constexpr double depth_of_one_per_area = 0.9;
+
+class Resolver {
+  public:
+    Resolver(Scene& scene, const std::map<std::string, Place>& places, const Place& whole)
+        : s_(scene), places_(places), whole_(whole) {}
+
+    void layer() {
+        particles();
+        motion();
+        heights();
+        if (s_.sample.phases % 20 != 0) {
+            fail("sample.phases", fmt::format("sample.phases = {} is not a multiple of 20", s_.sample.phases));
+        }
+        if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
+            fail("continuum.spacing",
+                 fmt::format("continuum.spacing = {} leaves fewer than 4 cells below the lid at {}",
+                             s_.continuum.spacing, s_.continuum.lid));
+        }
+    }
+
+  private:
+    const Place& at(const std::string& key) const {
+        const auto found = places_.find(key);
+        return found == places_.end() ? whole_ : found->second;
+    }
+    [[noreturn]] void fail(const std::string& key, const std::string& message) const {
+        throw SceneError(at(key), message);
+    }
+    std::string line_of(const std::string& key) const {
+        const Place& place = at(key);
+        return fmt::format("{}:{}", place.source, place.line);
+    }
+
+    void particles() {
+        auto& p = s_.particles;
+        if (p.number && p.depth) {
+            fail("particles.depth", fmt::format("particles.depth contradicts particles.number ({}): give one of them",
+                                                line_of("particles.number")));
+        }
+        if (!p.number && !p.depth) fail("particles", "particles.number or particles.depth is needed");
+        const double area = s_.box.x * s_.box.y;
+        const double wanted = p.number ? static_cast<double>(*p.number) : *p.depth * area / depth_of_one_per_area;
+        if (wanted < 0.5 || wanted > 1e9) {
+            fail("particles.depth",
+                 fmt::format("particles.depth = {} on {} x {} is {:.3g} particles; allowed: 1 to 1e9", *p.depth,
+                             s_.box.x, s_.box.y, wanted));
+        }
+        s_.number_of_particles = std::llround(wanted);
+        s_.depth = depth_of_one_per_area * static_cast<double>(s_.number_of_particles) / area;
+    }
+
+    void motion() {
+        auto& p = s_.plate;
+        if (p.frequency && p.frequency_star) {
+            fail("plate.frequency_star",
+                 fmt::format("plate.frequency_star contradicts plate.frequency ({}): give one of them",
+                             line_of("plate.frequency")));
+        }
+        if (!p.frequency && !p.frequency_star) fail("plate", "plate.frequency or plate.frequency_star is needed");
+        const double frequency = p.frequency ? *p.frequency : *p.frequency_star / std::sqrt(s_.depth);
+        s_.motion = PlateMotion::from_acceleration(p.acceleration, frequency);
+    }
+
+    void heights() {
+        const double thickness = s_.number_per_area() * (std::numbers::pi / 6.0) / s_.initial.volume_fraction;
+        const double highest_plate = 2.0 * s_.motion.amplitude;
+        if (s_.box.ceiling < highest_plate + thickness + 1.0) {
+            fail(
+                "box.ceiling",
+                fmt::format(
+                    "box.ceiling = {} is too low: the plate rises to {:.4g} and the layer is {:.4g} thick at the start",
+                    s_.box.ceiling, highest_plate, thickness));
+        }
+        if (s_.continuum.lid < thickness) {
+            fail("continuum.lid", fmt::format("continuum.lid = {} is below the top of the layer at the start, {:.4g}",
+                                              s_.continuum.lid, thickness));
+        }
+    }
+
+    Scene& s_;
+    const std::map<std::string, Place>& places_;
+    const Place& whole_;
+};
+
+}  // namespace
+
+void resolve(Scene& scene, const std::map<std::string, Place>& places, const Place& whole) {
+    switch (scene.kind) {
+        case Kind::layer:
+            Resolver(scene, places, whole).layer();
+            break;
+    }
+}
+
+}  // namespace scene
