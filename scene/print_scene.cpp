@@ -6,6 +6,11 @@
 
 namespace scene {
 
+std::string written_number(double value) {
+    const std::string digits = fmt::format("{}", value);
+    return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
+}
+
 namespace {
 
 std::string toml_text(const std::string& value) {
@@ -17,16 +22,11 @@ std::string toml_text(const std::string& value) {
     return quoted + '"';
 }
 
-std::string toml_number(double value) {
-    const std::string digits = fmt::format("{}", value);
-    return digits.find_first_of(".en") == std::string::npos ? digits + ".0" : digits;
-}
-
 std::string toml_restitution(const Restitution& law) {
-    if (const auto* constant = std::get_if<RestitutionConstant>(&law)) return toml_number(constant->e0);
+    if (const auto* constant = std::get_if<RestitutionConstant>(&law)) return written_number(constant->e0);
     const auto& velocity = std::get<RestitutionVelocity>(law);
-    return fmt::format("{{ law = \"velocity\", e0 = {}, v0 = {} }}", toml_number(velocity.e0),
-                       toml_number(velocity.v0));
+    return fmt::format("{{ law = \"velocity\", e0 = {}, v0 = {} }}", written_number(velocity.e0),
+                       written_number(velocity.v0));
 }
 
 /// Writes "key = value", with the words of the declaration behind each line when `explain` is set.
@@ -39,10 +39,10 @@ class Printer : public ParameterVisitor {
         result +=
             fmt::format("{}[{}]{}\n", result.empty() ? "" : "\n", name, explain_ ? fmt::format("  # {}", words) : "");
     }
-    void number(const About& a, double& value, const Range& r) override { line(a, toml_number(value), r.text()); }
+    void number(const About& a, double& value, const Range& r) override { line(a, written_number(value), r.text()); }
     void optional_number(const About& a, std::optional<double>& value, const Range& r) override {
         if (value)
-            line(a, toml_number(*value), r.text());
+            line(a, written_number(*value), r.text());
         else
             absent(a, r.text());
     }

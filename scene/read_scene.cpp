@@ -36,7 +36,9 @@ Place place_of(const toml::source_region& region, const Sources& sources) {
     return place;
 }
 
+/// The value as a user would write it.
 std::string described(const toml::node& node) {
+    if (const auto number = node.value_exact<double>()) return written_number(*number);
     std::ostringstream out;
     node.visit([&](const auto& value) { out << toml::node_view<const toml::node>(&value); });
     return out.str();

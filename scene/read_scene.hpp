@@ -21,6 +21,9 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
 /// The resolved scene as TOML: reading it back gives the same scene.
 std::string print_scene(const Scene& scene);
 
+/// A floating-point number in the fewest digits that read back to it, as TOML writes it (9.0, not 9).
+std::string written_number(double value);
+
 /// Every key with unit, range, default and words, as a commented TOML file.
 std::string list_parameters();
 

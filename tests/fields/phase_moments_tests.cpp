@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: MIT
+#include "fields/phase_moments.hpp"
+
+#include <catch2/catch.hpp>
+#include <random>
+
+#include "tests/support/temporary_folder.hpp"
+
+using namespace fields;
+
+namespace {
+
+const scene::PlateMotion motion = scene::PlateMotion::from_acceleration(3.0, 0.095);
+constexpr double roundoff = 1e-12;
+
+struct Particle {
+    double height;
+    std::array<double, 3> velocity;
+};
+
+std::vector<Particle> random_particles(int count, unsigned seed) {
+    std::mt19937_64 engine(seed);
+    const auto uniform = [&] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
+    std::vector<Particle> particles(static_cast<std::size_t>(count));
+    for (Particle& p : particles) p = {9.0 * uniform(), {uniform() - 0.5, uniform() - 0.5, 3.0 + 2.0 * uniform()}};
+    return particles;
+}
+
+}  // namespace
+
+TEST_CASE("profiles equal the naive double loop over bins and particles") {
+    const Bins bins{0.0, 0.5, 20};
+    PhaseMoments moments(4, bins, 25.0, 3, 3);
+    std::vector<Particle> all;
+    for (std::int64_t cycle = 0; cycle < 3; ++cycle) {
+        moments.begin_sample(cycle, 2);
+        for (const Particle& p : random_particles(500, 10 + static_cast<unsigned>(cycle))) {
+            moments.add_particle(p.height, p.velocity);
+            all.push_back(p);
+        }
+    }
+    const Profile profile = moments.profile(2, motion);
+    for (std::int64_t b = 0; b < bins.count; ++b) {
+        double count = 0;
+        std::array<double, 3> mean{}, variance{};
+        for (const Particle& p : all) {
+            if (p.height < bins.edge(b) || p.height >= bins.edge(b + 1)) continue;
+            ++count;
+            for (std::size_t d = 0; d < 3; ++d) mean[d] += p.velocity[d];
+        }
+        for (double& m : mean) m = count > 0 ? m / count : 0.0;
+        for (const Particle& p : all) {
+            if (p.height < bins.edge(b) || p.height >= bins.edge(b + 1)) continue;
+            for (std::size_t d = 0; d < 3; ++d)
+                variance[d] += (p.velocity[d] - mean[d]) * (p.velocity[d] - mean[d]) / count;
+        }
+        const auto i = static_cast<std::size_t>(b);
+        CHECK(profile.density[i] == Approx(count / (25.0 * 0.5 * 3)).margin(roundoff));
+        CHECK(profile.velocity[i] == Approx(mean[2]).margin(roundoff));
+        CHECK(profile.temperature[i] == Approx((variance[0] + variance[1] + variance[2]) / 3).margin(roundoff));
+        CHECK(profile.temperature_z[i] == Approx(variance[2]).margin(roundoff));
+    }
+}
+
+TEST_CASE("slabs deposit all their mass, whatever the grids") {
+    const double spacing = GENERATE(0.2, 0.37, 1.0, 3.1);
+    PhaseMoments moments(1, Bins{0.0, 0.5, 40}, 4.0, 1, 1);
+    moments.begin_sample(0, 0);
+    double deposited = 0.0;
+    for (double z = 0.0; z + spacing <= 20.0; z += spacing) {
+        const double density = 1.0 + std::sin(z);
+        moments.add_slab(z, z + spacing, density, {0, 0, 1}, 0.5);
+        deposited += density * spacing;
+    }
+    const Profile p = moments.profile(0, motion);
+    double found = 0.0;
+    for (const double n : p.density) found += 0.5 * n;
+    CHECK(found == Approx(deposited).epsilon(roundoff));
+}
+
+TEST_CASE("a uniform slab gives its own density, velocity and temperature") {
+    PhaseMoments moments(1, Bins{0.0, 0.5, 10}, 9.0, 1, 1);
+    moments.begin_sample(0, 0);
+    for (double z = 0.0; z < 4.95; z += 0.1) moments.add_slab(z, z + 0.1, 0.8, {0.1, 0.2, -4.0}, 2.5);
+    const Profile p = moments.profile(0, motion);
+    for (std::size_t i = 0; i < 10; ++i) {
+        CHECK(p.density[i] == Approx(0.8).epsilon(roundoff));
+        CHECK(p.velocity[i] == Approx(-4.0).epsilon(roundoff));
+        CHECK(p.temperature[i] == Approx(2.5).epsilon(1e-11));  // round-off of second moment minus square
+    }
+}
+
+TEST_CASE("a velocity gradient inside a bin adds its spread to T_z alike for slabs and particles") {
+    // u = s z over a bin of width w: the spread is (s w)^2/12; 200 sublayers leave a relative truncation of 1/200^2.
+    const double slope = 3.0, width = 2.0;
+    PhaseMoments cells(1, Bins{0.0, width, 1}, 1.0, 1, 1), grains(1, Bins{0.0, width, 1}, 1.0, 1, 1);
+    cells.begin_sample(0, 0);
+    grains.begin_sample(0, 0);
+    for (int i = 0; i < 200; ++i) {
+        const double z = (i + 0.5) * width / 200;
+        cells.add_slab(z - width / 400, z + width / 400, 1.0, {0, 0, slope * z}, 0.0);
+        grains.add_particle(z, {0, 0, slope * z});
+    }
+    const double spread = slope * width * slope * width / 12;
+    CHECK(cells.profile(0, motion).temperature_z[0] == Approx(spread).epsilon(1e-4));
+    CHECK(grains.profile(0, motion).temperature_z[0] == Approx(spread).epsilon(1e-4));
+}
+
+TEST_CASE("leaving out a block equals never having sampled it") {
+    PhaseMoments all(1, Bins{0.0, 1.0, 10}, 25.0, 4, 2), half(1, Bins{0.0, 1.0, 10}, 25.0, 4, 2);
+    for (std::int64_t cycle = 0; cycle < 4; ++cycle) {
+        all.begin_sample(cycle, 0);
+        all.set_centre_of_mass(static_cast<double>(cycle));
+        if (cycle < 2) half.begin_sample(cycle, 0);
+        for (const Particle& p : random_particles(100, static_cast<unsigned>(cycle))) {
+            all.add_particle(p.height, p.velocity);
+            if (cycle < 2) half.add_particle(p.height, p.velocity);
+        }
+    }
+    CHECK(all.profile(0, motion, 1).density == half.profile(0, motion).density);
+    CHECK(all.profile(0, motion, 1).temperature == half.profile(0, motion).temperature);
+    CHECK(all.mean_centre_of_mass(0).first == 1.5);
+    CHECK(all.mean_centre_of_mass(0).second == 1.0);  // blocks 0.5 and 2.5: spread sqrt(2), over sqrt(2)
+    CHECK(all.mean_centre_of_mass(0, 1).first == 0.5);
+}
+
+TEST_CASE("sums go on from a checkpoint and from a file as if never put down") {
+    const support::TemporaryFolder folder;
+    const auto fill = [](PhaseMoments& m, std::int64_t cycle) {
+        m.begin_sample(cycle, 1);
+        m.set_centre_of_mass(3.0 + static_cast<double>(cycle));
+        for (const Particle& p : random_particles(50, static_cast<unsigned>(cycle)))
+            m.add_particle(p.height, p.velocity);
+    };
+    PhaseMoments straight(2, Bins{0.0, 1.0, 10}, 25.0, 2, 2), first = straight, second = straight;
+    fill(straight, 0);
+    fill(straight, 1);
+    fill(first, 0);
+    files::CheckpointWriter out;
+    first.save(out, "moments/");
+    out.commit(folder / "a");
+    second.restore(files::CheckpointReader(folder / "a"), "moments/");
+    fill(second, 1);
+    CHECK(second.profile(1, motion).temperature == straight.profile(1, motion).temperature);
+
+    {
+        files::Hdf5File file(folder / "a.h5", files::Open::create);
+        second.write(file, "/profiles");
+    }
+    const PhaseMoments read = PhaseMoments::read(files::Hdf5File(folder / "a.h5", files::Open::read), "/profiles");
+    CHECK(read.profile(1, motion).density == straight.profile(1, motion).density);
+    CHECK(read.mean_centre_of_mass(1) == straight.mean_centre_of_mass(1));
+}
+
+TEST_CASE("impossible averages are refused") {
+    CHECK_THROWS_AS(PhaseMoments(0, Bins{0, 1, 1}, 1.0, 1, 1), std::invalid_argument);
+    CHECK_THROWS_AS(PhaseMoments(1, Bins{0, 1, 1}, 1.0, 1, 2), std::invalid_argument);
+    PhaseMoments moments(2, Bins{0, 1, 1}, 1.0, 1, 1);
+    CHECK_THROWS_AS(moments.begin_sample(1, 0), std::out_of_range);
+    CHECK_THROWS_AS(moments.begin_sample(0, 2), std::out_of_range);
+}

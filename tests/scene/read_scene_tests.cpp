@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: MIT
+#include "scene/read_scene.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "scene/errors.hpp"
+
+using namespace scene;
+using Catch::Contains;
+
+namespace {
+
+const std::string shock = R"([plate]
+acceleration = 3
+frequency = 0.095
+
+[particles]
+number = 3937
+restitution = 0.9
+
+[box]
+x = 20
+y = 20
+ceiling = 200
+)";
+
+/// The scene above with one line replaced.
+std::string with(const std::string& line, const std::string& replacement) {
+    std::string text = shock;
+    const std::size_t at = text.find(line);
+    REQUIRE(at != std::string::npos);
+    return text.replace(at, line.size(), replacement);
+}
+
+std::string refusal(const std::string& text, const std::vector<std::string>& overrides = {}) {
+    try {
+        parse_scene(text, "try.toml", overrides);
+    } catch (const SceneError& error) {
+        return error.what();
+    }
+    return "accepted";
+}
+
+}  // namespace
+
+TEST_CASE("the shipped scene of chapter 4 is what the source describes") {
+    const Scene s = read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml");
+    CHECK(s.name == "ch4_shock");
+    CHECK(s.number_of_particles == 3937);
+    CHECK(s.number_per_area() == 9.8425);
+    CHECK(s.motion.frequency == 0.095);
+    CHECK(s.motion.peak_acceleration() == Approx(3.0).epsilon(1e-15));
+    CHECK(fast_restitution(s.particles.restitution) == 0.9);
+}
+
+TEST_CASE("depth and number imply each other: 6 a unit area are 5.4 deep") {
+    const Scene s = parse_scene(with("number = 3937", "depth = 5.4"), "try.toml");
+    CHECK(s.number_of_particles == 2400);
+    CHECK(s.depth == Approx(5.4).epsilon(1e-15));
+}
+
+TEST_CASE("f* is f sqrt(H)") {
+    const Scene s = parse_scene(with("frequency = 0.095", "frequency_star = 0.4174"), "try.toml");
+    CHECK(s.motion.frequency == Approx(0.4174 / std::sqrt(s.depth)).epsilon(1e-15));
+}
+
+TEST_CASE("the printed scene reads back to itself") {
+    const Scene s = parse_scene(with("restitution = 0.9", "restitution = { law = \"velocity\", e0 = 0.7, v0 = 1 }"),
+                                "try.toml", {"continuum.flux=hll", "sample.phases=100", "initial.seed=77"});
+    const std::string printed = print_scene(s);
+    CHECK(print_scene(parse_scene(printed, "printed.toml")) == printed);
+    CHECK_THAT(printed, Contains("flux = \"hll\"") && Contains("phases = 100") && Contains("e0 = 0.7"));
+}
+
+TEST_CASE("the list of keys is itself a scene but for what a scene must give") {
+    CHECK_THAT(refusal(list_parameters()), Contains("particles.number or particles.depth is needed"));
+    CHECK(refusal(list_parameters(), {"particles.depth=9", "plate.frequency=0.095"}) == "accepted");
+}
+
+TEST_CASE("an override wins over the file and replaces the other of an exclusive pair") {
+    CHECK(parse_scene(shock, "try.toml", {"plate.acceleration=2.5"}).plate.acceleration == 2.5);
+    const Scene s = parse_scene(shock, "try.toml", {"particles.depth=4.5", "plate.frequency_star=0.3"});
+    CHECK(s.depth == Approx(4.5).epsilon(1e-12));
+    CHECK_FALSE(s.particles.number.has_value());
+    CHECK_FALSE(s.plate.frequency.has_value());
+    const Scene law = parse_scene(shock, "try.toml", {"particles.restitution={law=\"velocity\", e0=0.7}"});
+    CHECK(std::holds_alternative<RestitutionVelocity>(law.particles.restitution));
+}
+
+TEST_CASE("a refusal points at file, line and column and shows the line") {
+    const std::string message = refusal(with("restitution = 0.9", "restitution = 1.3"));
+    CHECK_THAT(message, Contains("try.toml:7:15: particles.restitution = 1.3 is outside [0, 1]"));
+    CHECK_THAT(message, Contains("     7 | restitution = 1.3\n       |               ^"));
+}
+
+TEST_CASE("wrong values are refused with what is allowed") {
+    struct Case {
+        std::string line, replacement, message;
+    };
+    const Case c = GENERATE(
+        Case{"restitution = 0.9", "restitution = -0.1", "particles.restitution = -0.1 is outside [0, 1]"},
+        Case{"restitution = 0.9", "restitution = nan", "particles.restitution = nan is outside [0, 1]"},
+        Case{"restitution = 0.9", "restitution = \"high\"",
+             "particles.restitution must be a number ([0, 1]), not string"},
+        Case{"restitution = 0.9", "restitution = { e0 = 0.7 }", "needs law; known: constant, velocity"},
+        Case{"restitution = 0.9", "restitution = { law = \"velocty\", e0 = 0.7 }", "did you mean \"velocity\"?"},
+        Case{"restitution = 0.9", "restitution = { law = \"velocity\" }", "needs e0 in [0, 1]"},
+        Case{"restitution = 0.9", "restitution = { law = \"velocity\", e0 = 0.7, v1 = 3 }", "known: law, e0, v0"},
+        Case{"acceleration = 3", "acceleration = -3", "plate.acceleration = -3 must be at least 0"},
+        Case{"acceleration = 3", "acceleration = inf", "plate.acceleration = inf must be at least 0"},
+        Case{"frequency = 0.095", "frequency = 0.0", "plate.frequency = 0.0 must be greater than 0"},
+        Case{"frequency = 0.095", "", "plate.frequency or plate.frequency_star is needed"},
+        Case{"frequency = 0.095", "frequency = 0.095\nfrequency_star = 0.3",
+             "contradicts plate.frequency (try.toml:3): give one of them"},
+        Case{"number = 3937", "number = 3937\ndepth = 9.0",
+             "contradicts particles.number (try.toml:6): give one of them"},
+        Case{"number = 3937", "number = 0", "particles.number = 0 is outside [1, 1000000000]"},
+        Case{"number = 3937", "number = 39.5", "particles.number must be a whole number"},
+        Case{"number = 3937", "number = \"many\"", "particles.number must be a whole number"},
+        Case{"number = 3937", "depth = 1e300", "allowed: 1 to 1e9"},
+        Case{"number = 3937", "", "particles.number or particles.depth is needed"},
+        Case{"x = 20", "x = 1.5", "box.x = 1.5 is outside [2, 1000000]"},
+        Case{"ceiling = 200", "ceiling = 20", "box.ceiling = 20 is too low"},
+        Case{"ceiling = 200", "ceiling = 200\n[sample]\nphases = 0", "sample.phases = 0 is outside [20, 100000]"},
+        Case{"ceiling = 200", "ceiling = 200\n[sample]\nphases = 130", "sample.phases = 130 is not a multiple of 20"},
+        Case{"ceiling = 200", "ceiling = 200\n[sample]\nphases = []", "sample.phases must be a whole number"},
+        Case{"ceiling = 200", "ceiling = 200\n[continuum]\nlid = 10",
+             "continuum.lid = 10 is below the top of the layer"},
+        Case{"ceiling = 200", "ceiling = 200\n[md]\nseed = -1", "md.seed = -1"},
+        Case{"ceiling = 200", "ceiling = 200\n[scene]\nkind = \"lair\"", "did you mean \"layer\"?"},
+        Case{"ceiling = 200", "ceiling = 200\n[scene]\nname = 7", "scene.name must be a text in quotes"},
+        Case{"[box]", "[box", "try.toml:9:"}, Case{"y = 20", "y = 20\ny = 21", "try.toml:12:"},
+        Case{"[plate]\nacceleration = 3\nfrequency = 0.095", "plate = 7", "[plate] must be a section"});
+    INFO(c.replacement);
+    CHECK_THAT(refusal(with(c.line, c.replacement)), Contains(c.message));
+}
+
+TEST_CASE("an unknown key is refused with the nearest known one") {
+    CHECK_THAT(refusal(with("acceleration = 3", "aceleration = 3")),
+               Contains("try.toml:2:1: plate.aceleration is unknown") && Contains("did you mean acceleration?"));
+    CHECK_THAT(refusal(with("number = 3937", "number = 3937\nceiling = 3")), Contains("did you mean box.ceiling?"));
+    CHECK_THAT(refusal(with("[box]", "[bx]")), Contains("[bx] is unknown") && Contains("did you mean [box]?"));
+}
+
+TEST_CASE("a wrong override is refused in its own words") {
+    CHECK_THAT(refusal(shock, {"particles.restitution=1.3"}),
+               Contains("--set particles.restitution=1.3") && Contains("is outside [0, 1]"));
+    CHECK_THAT(refusal(shock, {"particles.restitutoin=0.3"}), Contains("did you mean restitution?"));
+    CHECK_THAT(refusal(shock, {"acceleration=2"}), Contains("is not of the form section.key=value"));
+    CHECK_THAT(refusal(shock, {"plate.acceleration"}), Contains("is not of the form section.key=value"));
+    CHECK_THAT(refusal(shock, {"plate.acceleration="}), Contains("plate.acceleration must be a number"));
+}
+
+TEST_CASE("a missing scene file is told apart from a bad one") {
+    CHECK_THROWS_AS(read_scene("no/such/scene.toml"), NoSceneFile);
+    CHECK_THROWS_AS(read_scene("/"), NoSceneFile);
+}
