@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "compare/shock_history.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+
+namespace compare {
+
+namespace {
+
+constexpr double longest_gap = 0.01;   // of a cycle
+constexpr double shortest_run = 0.03;  // of a cycle
+
+struct Run {
+    std::int64_t first = 0, last = 0;
+    std::int64_t length() const { return last - first + 1; }
+};
+
+/// The longest circular run of true values, gaps up to `gap` bridged; empty where none is true.
+std::optional<Run> longest_run(const std::vector<bool>& is_set, std::int64_t gap) {
+    const auto count = static_cast<std::int64_t>(is_set.size());
+    const auto at = [&](std::int64_t i) { return is_set[static_cast<std::size_t>(i % count)]; };
+    std::optional<Run> best;
+    for (std::int64_t start = 0; start < count; ++start) {
+        if (!at(start)) continue;
+        Run run{start, start};
+        for (std::int64_t i = start + 1; i < start + count && i - run.last <= gap + 1; ++i) {
+            if (at(i)) run.last = i;
+        }
+        if (!best || run.length() > best->length()) best = run;
+    }
+    return best;
+}
+
+}  // namespace
+
+PhaseMeasures measure_phase(const fields::Profile& profile, const Medium& medium, const ShockCriteria& criteria) {
+    PhaseMeasures measures;
+    measures.phase = profile.phase;
+    measures.layer = find_layer(profile);
+    if (!measures.layer) return measures;
+    const std::vector<double> mach = mach_numbers(profile, medium);
+    measures.maximum_mach = maximum_mach(profile, mach, *measures.layer);
+    measures.shock = find_shock(profile, *measures.layer, mach, medium, criteria);
+    return measures;
+}
+
+std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency) {
+    const auto count = static_cast<std::int64_t>(cycle.size());
+    const double step = 1.0 / static_cast<double>(count);
+    const auto gap = static_cast<std::int64_t>(std::floor(longest_gap * static_cast<double>(count)));
+    const auto at = [&](std::int64_t i) -> const PhaseMeasures& {
+        return cycle[static_cast<std::size_t>(((i % count) + count) % count)];
+    };
+
+    std::vector<bool> inside(cycle.size());
+    std::transform(cycle.begin(), cycle.end(), inside.begin(),
+                   [](const PhaseMeasures& m) { return m.shock && m.shock->inside_layer; });
+    const std::optional<Run> run = longest_run(inside, gap);
+    if (!run || static_cast<double>(run->length()) < shortest_run * static_cast<double>(count)) return std::nullopt;
+
+    ShockHistory history;
+    history.first = run->first;
+    history.formation_phase = at(run->first).phase;
+    history.formation_location = at(run->first).shock->location;
+    history.approach_mach = at(run->first - 1).maximum_mach.value;
+    history.leaving_phase = history.leaving_location = history.mean_speed = std::nan("");
+
+    double widest = 0.0, excess_before = std::nan("");
+    std::int64_t before = run->first;
+    history.last = run->first;
+    for (std::int64_t i = run->first; i < run->first + count && i - before <= gap + 1; ++i) {
+        if (!at(i).shock || !at(i).layer) continue;
+        const Shock& shock = *at(i).shock;
+        const double excess = shock.location - at(i).layer->upper;
+        const double phase = history.formation_phase + static_cast<double>(i - run->first) * step;
+        if (excess >= 0.0) {
+            const double phase_before = history.formation_phase + static_cast<double>(before - run->first) * step;
+            const double share = excess_before / (excess_before - excess);
+            const double location_before = at(before).shock->location;
+            history.leaving_phase = phase_before + share * (phase - phase_before);
+            history.leaving_location = location_before + share * (shock.location - location_before);
+            history.mean_speed = (history.leaving_location - history.formation_location) * frequency /
+                                 (history.leaving_phase - history.formation_phase);
+            break;
+        }
+        if (shock.width() / shock.mean_free_path > widest) {
+            widest = shock.width() / shock.mean_free_path;
+            history.fully_formed_phase = phase;
+        }
+        excess_before = excess;
+        before = i;
+        history.last = i;
+    }
+    return history;
+}
+
+}  // namespace compare

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+// The shock's life over one cycle of the plate: when it forms, when it leaves the layer, how fast it goes.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "compare/layer.hpp"
+#include "compare/mach.hpp"
+#include "compare/shock.hpp"
+#include "fields/profile.hpp"
+
+namespace compare {
+
+/// What is measured of one profile.
+struct PhaseMeasures {
+    double phase = 0.0;
+    std::optional<Layer> layer;
+    std::optional<Shock> shock;
+    MaximumMach maximum_mach;
+};
+
+PhaseMeasures measure_phase(const fields::Profile& profile, const Medium& medium, const ShockCriteria& criteria = {});
+
+struct ShockHistory {
+    std::int64_t first = 0, last = 0;  // phase indices; last may exceed the number of phases by less than one cycle
+    double formation_phase = 0.0;      // first phase with a shock inside the layer; resolved to one phase
+    double leaving_phase = 0.0;        // its location passes the layer's upper edge; interpolated between phases
+    double formation_location = 0.0;   // above the plate, sigma
+    double leaving_location = 0.0;
+    double mean_speed = 0.0;          // in the frame of the plate, between the two, sqrt(g sigma)
+    double fully_formed_phase = 0.0;  // width over mean free path at the location is at its greatest
+    double approach_mach = 0.0;       // greatest Mach number in the layer at the last phase before formation
+};
+
+/// Follows the longest run of phases with a shock, circularly: a cycle has no preferred start. Gaps up to a hundredth
+/// of a cycle are bridged, since noise may hide a shock at one phase. Frequency in sqrt(g/sigma).
+/// None where no run of at least 3 % of a cycle lies inside the layer. leaving_phase may exceed 1; it is NaN, and so
+/// is mean_speed, where the location never passes the upper edge.
+std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency);
+
+}  // namespace compare

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: MIT
+#include "compare/summary.hpp"
+
+#include <cmath>
+#include <functional>
+#include <string>
+
+namespace compare {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+using Number = std::function<double(const Analysis&)>;
+
+constexpr double profile_phase = 0.22;  // where the source shows a fully formed shock (figures 4.3 to 4.5)
+constexpr double half_diameter = 0.5;
+
+Json finite_or_null(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json value_or_null(const std::optional<double>& value) { return value ? finite_or_null(*value) : Json(nullptr); }
+
+/// Puts a number under a key, and its standard error beside it where the engine has one.
+void put(Json& object, const std::string& key, const Estimate& estimate, bool with_error) {
+    object[key] = finite_or_null(estimate.value);
+    if (with_error) object[key + "_error"] = finite_or_null(estimate.error);
+}
+
+Number of_history(double ShockHistory::*member) {
+    return [member](const Analysis& a) { return a.history ? (*a.history).*member : std::nan(""); };
+}
+
+/// A number of the shock at the phase nearest to ft.
+Number of_shock_at(double phase, const std::function<double(const Shock&)>& number) {
+    return [phase, number](const Analysis& a) {
+        const std::optional<Shock>& shock = a.measures[nearest_phase(phase, a.measures.size())].shock;
+        return shock ? number(*shock) : std::nan("");
+    };
+}
+
+/// A phase known only to one of the sampled phases has at least the error of a uniform distribution of that width.
+Estimate with_resolution(Estimate estimate, double step) {
+    estimate.error = std::hypot(estimate.error, step / std::sqrt(12.0));
+    return estimate;
+}
+
+Json centre_of_mass_errors(const Measured& measured) {
+    Json errors = Json::array();
+    for (std::int64_t k = 0; k < compared_phases; ++k) {
+        errors.push_back(finite_or_null(measured
+                                            .estimate([k](const Analysis& a) {
+                                                return at_equal_phases(a.centre_of_mass,
+                                                                       compared_phases)[static_cast<std::size_t>(k)];
+                                            })
+                                            .error));
+    }
+    return errors;
+}
+
+Json engine(const Measured& measured, bool with_error) {
+    const double step = 1.0 / static_cast<double>(measured.all.measures.size());
+    Json out;
+    out["zcm"] = at_equal_phases(measured.all.centre_of_mass, compared_phases);
+    if (with_error) out["zcm_error"] = centre_of_mass_errors(measured);
+
+    Json& shock = out["shock"];
+    const auto history = [&](double ShockHistory::*member) { return measured.estimate(of_history(member)); };
+    put(shock, "formation_phase", with_resolution(history(&ShockHistory::formation_phase), step), with_error);
+    put(shock, "fully_formed_phase", with_resolution(history(&ShockHistory::fully_formed_phase), step), with_error);
+    put(shock, "leaving_phase", history(&ShockHistory::leaving_phase), with_error);
+    put(shock, "mean_speed", history(&ShockHistory::mean_speed), with_error);
+
+    put(out, "max_mach", history(&ShockHistory::approach_mach), with_error);
+    const auto at_profile_phase = [&](const std::function<double(const Shock&)>& number) {
+        return measured.estimate(of_shock_at(profile_phase, number));
+    };
+    put(out, "width_over_mean_free_path", at_profile_phase([](const Shock& s) { return s.width() / s.mean_free_path; }),
+        with_error);
+    put(out, "width_over_mean_free_path_foot",
+        at_profile_phase([](const Shock& s) { return s.width() / s.mean_free_path_foot; }), with_error);
+    put(out, "shock_width", at_profile_phase([](const Shock& s) { return s.width(); }), with_error);
+    put(out, "shock_mach", at_profile_phase([](const Shock& s) { return s.mach_above; }), with_error);
+    return out;
+}
+
+/// A number of the pair of engines; its error is that of MD, the continuum having none of this kind.
+Estimate of_both(const Measured& md, const Analysis& continuum,
+                 const std::function<double(const Analysis& continuum, const Analysis& md)>& number) {
+    return md.estimate([&](const Analysis& a) { return number(continuum, a); });
+}
+
+}  // namespace
+
+double centre_of_mass_rms_percent(const std::vector<double>& continuum, const std::vector<double>& md, double lift) {
+    const std::vector<double> ours = at_equal_phases(continuum, compared_phases);
+    const std::vector<double> theirs = at_equal_phases(md, compared_phases);
+    double squares = 0.0;
+    for (std::size_t k = 0; k < ours.size(); ++k) {
+        const double relative = (ours[k] + lift - theirs[k]) / theirs[k];
+        squares += relative * relative;
+    }
+    return 100.0 * std::sqrt(squares / static_cast<double>(compared_phases));
+}
+
+double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift) {
+    if (!continuum.history || !md.history || continuum.measures.size() != md.measures.size()) return std::nan("");
+    const auto count = static_cast<std::int64_t>(md.measures.size());
+    double squares = 0.0;
+    std::int64_t phases = 0;
+    for (std::int64_t i = md.history->first; i <= md.history->last; ++i) {
+        // Either run may have been counted from the cycle before.
+        const auto is_followed = [&](const ShockHistory& h) {
+            return (i >= h.first && i <= h.last) || (i + count >= h.first && i + count <= h.last) ||
+                   (i - count >= h.first && i - count <= h.last);
+        };
+        const auto k = static_cast<std::size_t>(i % count);
+        if (!is_followed(*continuum.history) || !md.measures[k].shock || !continuum.measures[k].shock) continue;
+        const double difference = continuum.measures[k].shock->location + lift - md.measures[k].shock->location;
+        squares += difference * difference;
+        ++phases;
+    }
+    return phases > 0 ? std::sqrt(squares / static_cast<double>(phases)) : std::nan("");
+}
+
+nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, const scene::Scene& scene,
+                                 const Cost& md_cost, const Cost& continuum_cost) {
+    Json out;
+    out["scene"] = scene.name;
+    Json& md_out = out["md"] = engine(md, true);
+    md_out["collisions_per_particle_per_cycle"] = value_or_null(md_cost.collisions_per_particle_per_cycle);
+    md_out["collisions_per_particle_per_cycle_error"] = value_or_null(md_cost.collisions_per_particle_per_cycle_error);
+    md_out["wall_seconds"] = value_or_null(md_cost.wall_seconds);
+    md_out["cpu_seconds"] = value_or_null(md_cost.cpu_seconds);
+
+    Json& continuum_out = out["continuum"] = engine(continuum, false);
+    continuum_out["steps_per_cycle"] = value_or_null(continuum_cost.steps_per_cycle);
+    continuum_out["wall_seconds"] = value_or_null(continuum_cost.wall_seconds);
+    continuum_out["cpu_seconds"] = value_or_null(continuum_cost.cpu_seconds);
+
+    const auto rms_percent = [](double lift) {
+        return [lift](const Analysis& c, const Analysis& m) {
+            return centre_of_mass_rms_percent(c.centre_of_mass, m.centre_of_mass, lift);
+        };
+    };
+    put(out, "zcm_rms_percent", of_both(md, continuum.all, rms_percent(0.0)), true);
+    put(out, "zcm_rms_percent_half_diameter", of_both(md, continuum.all, rms_percent(half_diameter)), true);
+    const auto location_rms = [](double lift) {
+        return [lift](const Analysis& c, const Analysis& m) { return shock_location_rms(c, m, lift); };
+    };
+    put(out, "shock_location_rms", of_both(md, continuum.all, location_rms(0.0)), true);
+    put(out, "shock_location_rms_half_diameter", of_both(md, continuum.all, location_rms(half_diameter)), true);
+    return out;
+}
+
+}  // namespace compare

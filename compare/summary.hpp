@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// The numbers of a comparison, as JSON. Layout in docs/formats.md. Each MD number has its standard error beside it
+// (`..._error`: jackknife over blocks of cycles); what is unknown is null.
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <vector>
+
+#include "compare/analysis.hpp"
+#include "scene/scene.hpp"
+
+namespace compare {
+
+/// What an engine spent; measured by whoever ran it. Absent: not measured, null in the JSON.
+struct Cost {
+    std::optional<double> wall_seconds, cpu_seconds;
+    std::optional<double> collisions_per_particle_per_cycle;  // MD: pair events / N
+    std::optional<double> collisions_per_particle_per_cycle_error;
+    std::optional<double> steps_per_cycle;  // continuum
+};
+
+/// The phases at which z_cm is compared.
+inline constexpr std::int64_t compared_phases = 20;
+
+/// Root mean square of (continuum - MD)/MD over compared_phases equal phases, in percent. Noise of MD adds the mean
+/// square of its relative standard errors to the square of this. `lift` is added to the continuum's heights (half a
+/// diameter, where its floor is taken to be the lowest plane of centres).
+double centre_of_mass_rms_percent(const std::vector<double>& continuum, const std::vector<double>& md,
+                                  double lift = 0.0);
+
+/// Root mean square of the difference of shock locations, sigma, over the phases at which both have a shock whose
+/// location lies in the layer; NaN where there is no such phase. `lift` as above.
+double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift = 0.0);
+
+nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, const scene::Scene& scene,
+                                 const Cost& md_cost, const Cost& continuum_cost);
+
+}  // namespace compare

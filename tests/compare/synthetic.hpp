@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: MIT
+// Profiles and cycles with a shock whose place, width and speed are known.
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+#include <numbers>
+#include <random>
+#include <vector>
+
+#include "compare/mach.hpp"
+#include "compare/shock_history.hpp"
+#include "fields/profile.hpp"
+
+namespace synthetic {
+
+/// An ideal gas, chi = 1: c^2 = 5 T / 3.
+inline compare::Medium ideal_gas() {
+    return {[](double, double temperature) { return std::sqrt(5.0 / 3.0 * temperature); },
+            [](double density) { return std::sqrt(std::numbers::pi / 8.0) / (density * std::numbers::pi); }};
+}
+
+/// A pinned normal deviate (Box and Muller 1958): those of the standard library differ between libraries.
+class Normal {
+  public:
+    explicit Normal(std::uint64_t seed) : engine_(seed) {}
+    double operator()() {
+        const auto uniform = [&] { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; };
+        return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * std::numbers::pi * uniform());
+    }
+
+  private:
+    std::mt19937_64 engine_;
+};
+
+/// A layer between the plate and `layer_top`, split by a front: compressed, hot and at rest below, falling at `inflow`
+/// and cold above. T rises with height on both sides, as in the shaken layer.
+struct Front {
+    double location = 6.0;
+    double half_width = 0.7;  // of the tanh
+    double layer_top = 15.0;
+    double inflow = 8.0;
+
+    double share_above(double z) const { return 0.5 * (1.0 + std::tanh((z - location) / half_width)); }
+    double temperature(double z) const {
+        const double undisturbed = 0.1 + 0.02 * std::exp(0.3 * (z - location));
+        return (5.0 + 0.2 * z) * (1.0 - share_above(z)) + undisturbed;
+    }
+    double volume_fraction(double z) const {
+        // Above the layer's top the front does not compress, so that the layer's edge stays where it is.
+        if (z > layer_top) return 0.12 * std::exp(layer_top - z);
+        return 0.4 * (1.0 - share_above(z)) + 0.12 * share_above(z);
+    }
+    double velocity(double z) const { return -inflow * share_above(z); }
+
+    /// Place of the largest value of a function of height, by brute force on steps of 1e-4.
+    template <class Function>
+    static double place_of_maximum(double from, double to, Function f) {
+        double best = from;
+        for (double z = from; z <= to; z += 1e-4) {
+            if (f(z) > f(best)) best = z;
+        }
+        return best;
+    }
+    double exact_top() const {
+        return place_of_maximum(0.0, location, [&](double z) { return temperature(z); });
+    }
+    double exact_foot() const {
+        return place_of_maximum(location, layer_top, [&](double z) { return -temperature(z); });
+    }
+    double exact_location() const {
+        const double h = 1e-3;
+        return place_of_maximum(exact_top(), exact_foot(),
+                                [&](double z) { return temperature(z - h) - temperature(z + h); });
+    }
+
+    /// Values at the bins' centres, T and nu with relative normal noise.
+    fields::Profile profile(const fields::Bins& bins, double noise = 0.0, std::uint64_t seed = 1) const {
+        Normal normal(seed);
+        fields::Profile p;
+        p.bins = bins;
+        p.plate_velocity = 3.0;
+        for (std::int64_t i = 0; i < bins.count; ++i) {
+            const double z = bins.centre(i);
+            p.density.push_back(volume_fraction(z) * 6.0 / std::numbers::pi * (1.0 + noise * normal()));
+            p.velocity.push_back(p.plate_velocity + velocity(z));
+            p.temperature.push_back(temperature(z) * (1.0 + noise * normal()));
+        }
+        p.temperature_x = p.temperature_z = p.temperature;
+        return p;
+    }
+};
+
+/// The same layer with no front: T rises with height everywhere.
+inline fields::Profile quiet_profile(const fields::Bins& bins, double noise = 0.0, std::uint64_t seed = 1) {
+    Normal normal(seed);
+    const Front shape{.location = -100.0};
+    fields::Profile p = shape.profile(bins);
+    for (std::int64_t i = 0; i < bins.count; ++i) {
+        const double t = 0.05 * std::exp(0.1 * bins.centre(i)) * (1.0 + noise * normal());
+        p.temperature[static_cast<std::size_t>(i)] = t;
+    }
+    return p;
+}
+
+inline std::vector<compare::PhaseMeasures> measure(std::vector<fields::Profile> profiles) {
+    std::vector<compare::PhaseMeasures> measures;
+    for (std::size_t k = 0; k < profiles.size(); ++k) {
+        profiles[k].phase = static_cast<double>(k) / static_cast<double>(profiles.size());
+        measures.push_back(compare::measure_phase(profiles[k], ideal_gas()));
+    }
+    return measures;
+}
+
+}  // namespace synthetic
