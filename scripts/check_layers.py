@@ -1,0 +1,33 @@
+#!/usr/bin/env python3
+"""Reads every #include "folder/..." and prints file:line of each arrow that points the wrong way."""
+import pathlib
+import re
+import sys
+
+MAY_INCLUDE = {
+    "scene": set(),
+    "files": set(),
+    "fields": {"scene", "files"},
+    "md": {"scene", "files"},
+    "continuum": {"scene", "files", "fields"},
+    "compare": {"scene", "files", "fields", "md", "continuum"},
+    "app": {"scene", "files", "fields", "md", "continuum", "compare"},
+}
+
+
+def wrong_arrows(root):
+    for folder, allowed in MAY_INCLUDE.items():
+        for source in sorted((root / folder).rglob("*.[ch]pp")):
+            for number, line in enumerate(source.read_text().splitlines(), start=1):
+                match = re.match(r'\s*#\s*include\s+"([^"]+)"', line)
+                if not match or "/" not in match[1]:
+                    continue
+                target = match[1].split("/")[0]
+                if target != folder and target not in allowed:
+                    yield f"{source.relative_to(root)}:{number}: {folder} may not include {match[1]}"
+
+
+if __name__ == "__main__":
+    wrong = list(wrong_arrows(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()))
+    print("\n".join(wrong) if wrong else "all arrows point the right way")
+    sys.exit(1 if wrong else 0)
