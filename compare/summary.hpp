@@ -15,10 +15,10 @@ namespace compare {
 
 /// What an engine spent; measured by whoever ran it. Absent: not measured, null in the JSON.
 struct Cost {
-    std::optional<double> wall_seconds, cpu_seconds;
-    std::optional<double> collisions_per_particle_per_cycle;  // MD: pair events / N
-    std::optional<double> collisions_per_particle_per_cycle_error;
-    std::optional<double> steps_per_cycle;  // continuum
+    std::optional<double> wall_seconds = {}, cpu_seconds = {};
+    std::optional<double> collisions_per_particle_per_cycle = {};  // MD: pair events / N
+    std::optional<double> collisions_per_particle_per_cycle_error = {};
+    std::optional<double> steps_per_cycle = {};  // continuum
 };
 
 /// The phases at which z_cm is compared.

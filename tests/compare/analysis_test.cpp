@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include "compare/analysis.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "compare/jackknife.hpp"
+#include "compare/summary.hpp"
+#include "synthetic.hpp"
+
+namespace {
+
+const scene::PlateMotion motion{5.0, 0.1};
+
+/// A run whose centre of mass is a known wave plus independent noise from cycle to cycle, over a fixed block of gas.
+fields::PhaseMoments wavy_run(std::int64_t phases, std::int64_t cycles, std::int64_t blocks, double noise,
+                              std::uint64_t seed = 1, double offset = 0.0) {
+    synthetic::Normal normal(seed);
+    fields::PhaseMoments moments(phases, {0.0, 0.5, 40}, 4.0, cycles, blocks);
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
+        for (std::int64_t phase = 0; phase < phases; ++phase) {
+            const double ft = static_cast<double>(phase) / static_cast<double>(phases);
+            moments.begin_sample(cycle, phase);
+            moments.add_slab(1.0, 9.0, 0.5, {0.0, 0.0, 0.0}, 1.0);
+            moments.set_centre_of_mass(12.0 + 3.0 * std::sin(2.0 * std::numbers::pi * ft) + offset + noise * normal());
+        }
+    }
+    return moments;
+}
+
+compare::Measured measured(const fields::PhaseMoments& moments) {
+    return compare::measure(moments, motion, synthetic::ideal_gas());
+}
+
+}  // namespace
+
+TEST_CASE("the jackknife error of a mean is its analytic standard error") {
+    const std::vector<double> x{3.1, 2.7, 4.4, 1.0, 2.2, 3.6};
+    const auto n = static_cast<double>(x.size());
+    double sum = 0.0, squares = 0.0;
+    for (const double v : x) sum += v;
+    for (const double v : x) squares += (v - sum / n) * (v - sum / n);
+    std::vector<double> without;
+    for (const double v : x) without.push_back((sum - v) / (n - 1.0));
+    CHECK(compare::jackknife_error(without) ==
+          Approx(std::sqrt(squares / (n * (n - 1.0)))).epsilon(1e-12));  // round-off
+    CHECK(std::isnan(compare::jackknife_error(std::vector<double>{1.0})));
+}
+
+TEST_CASE("the error of the centre of mass is that of the mean of its blocks") {
+    const fields::PhaseMoments moments = wavy_run(20, 12, 6, 0.3);
+    const compare::Measured m = measured(moments);
+    for (std::size_t phase : {0u, 7u, 19u}) {
+        const compare::Estimate e = m.estimate([&](const compare::Analysis& a) { return a.centre_of_mass[phase]; });
+        CHECK(e.error ==
+              Approx(moments.mean_centre_of_mass(static_cast<std::int64_t>(phase)).second).epsilon(1e-9));  // round-off
+        CHECK(std::abs(e.value - 12.0 - 3.0 * std::sin(2.0 * std::numbers::pi * static_cast<double>(phase) / 20.0)) <
+              4.0 * 0.3 / std::sqrt(12.0));  // statistics: four standard errors of twelve cycles
+    }
+}
+
+TEST_CASE("errors shrink with the square root of the number of cycles") {
+    const auto error = [](std::int64_t cycles) {
+        const compare::Measured m = measured(wavy_run(20, cycles, 10, 0.3));
+        double sum = 0.0;
+        for (std::size_t phase = 0; phase < 20; ++phase) {
+            sum += m.estimate([&](const compare::Analysis& a) { return a.centre_of_mass[phase]; }).error;
+        }
+        return sum / 20.0;
+    };
+    // Statistics: an error from ten blocks is itself known to 1/sqrt(18), the mean of 20 of them to 5 %.
+    CHECK(error(40) / error(160) == Approx(2.0).epsilon(0.25));
+}
+
+TEST_CASE("values at phases that exist are picked, at others interpolated round the cycle") {
+    std::vector<double> wave(40);
+    for (std::size_t k = 0; k < wave.size(); ++k) wave[k] = static_cast<double>(k);
+    const auto picked = compare::at_equal_phases(wave, 20);
+    CHECK(picked[0] == 0.0);
+    CHECK(picked[7] == 14.0);
+    const auto between = compare::at_equal_phases({0.0, 1.0, 2.0, 3.0}, 8);
+    CHECK(between[3] == 1.5);
+    CHECK(between[7] == 1.5);  // half way from 3 back to 0
+}
+
+TEST_CASE("the relative root mean square of two centres of mass is that of its definition") {
+    const std::vector<double> md{10.0, 20.0};
+    const std::vector<double> continuum{11.0, 19.0};
+    // Interpolated to 20 phases, the relative difference runs linearly in numerator and denominator: summed directly.
+    double squares = 0.0;
+    for (int k = 0; k < 20; ++k) {
+        const double share = (k % 10) / 10.0;
+        const double m = k < 10 ? 10.0 + 10.0 * share : 20.0 - 10.0 * share;
+        const double c = k < 10 ? 11.0 + 8.0 * share : 19.0 - 8.0 * share;
+        squares += std::pow((c - m) / m, 2) / 20.0;
+    }
+    CHECK(compare::centre_of_mass_rms_percent(continuum, md) == Approx(100.0 * std::sqrt(squares)).epsilon(1e-12));
+}
+
+TEST_CASE("a continuum half a diameter too low agrees to round-off once its floor is lifted") {
+    const std::vector<double> md{10.0, 20.5, 30.25, 20.5};
+    std::vector<double> continuum = md;
+    for (double& z : continuum) z -= 0.5;
+    CHECK(compare::centre_of_mass_rms_percent(continuum, md, 0.5) < 1e-12);  // round-off
+    CHECK(compare::centre_of_mass_rms_percent(continuum, md) > 1.0);
+}
+
+TEST_CASE("the summary has every key, an error beside each MD number, and null for what is unknown") {
+    scene::Scene scene;
+    scene.name = "wavy";
+    compare::Cost md_cost{.wall_seconds = 2.0, .cpu_seconds = 1.5, .collisions_per_particle_per_cycle = 58.0};
+    compare::Cost continuum_cost{.cpu_seconds = 0.5, .steps_per_cycle = 1100.0};
+    const auto md = measured(wavy_run(40, 10, 5, 0.1));
+    const auto continuum = measured(wavy_run(40, 10, 5, 0.0, 1, 0.12));
+    const auto summary = compare::summarise(md, continuum, scene, md_cost, continuum_cost);
+
+    for (const char* engine : {"md", "continuum"}) {
+        INFO(engine);
+        const auto& e = summary.at(engine);
+        CHECK(e.at("zcm").size() == 20);
+        for (const char* key : {"formation_phase", "leaving_phase", "mean_speed"}) CHECK(e.at("shock").contains(key));
+        for (const char* key : {"max_mach", "width_over_mean_free_path", "wall_seconds", "cpu_seconds"})
+            CHECK(e.contains(key));
+    }
+    const auto& m = summary.at("md");
+    CHECK(m.at("zcm_error").size() == 20);
+    CHECK(m.at("zcm_error").at(3).get<double>() > 0.0);
+    for (const char* key : {"formation_phase_error", "leaving_phase_error", "mean_speed_error"}) {
+        CHECK(m.at("shock").contains(key));
+    }
+    for (const char* key : {"max_mach_error", "width_over_mean_free_path_error", "collisions_per_particle_per_cycle"}) {
+        CHECK(m.contains(key));
+    }
+    CHECK(m.at("shock").at("formation_phase").is_null());  // the block of gas has no shock
+    CHECK(summary.at("continuum").at("steps_per_cycle") == 1100.0);
+    CHECK(summary.at("continuum").at("wall_seconds").is_null());
+    // Statistics: 0.12 above 12 is about 1 %; MD's noise, 0.1/sqrt(10), adds 0.3 % in quadrature.
+    CHECK(summary.at("zcm_rms_percent").get<double>() == Approx(1.0).margin(0.25));
+    CHECK(summary.at("zcm_rms_percent_error").get<double>() > 0.0);
+    CHECK(summary.contains("zcm_rms_percent_half_diameter"));
+    CHECK(summary.contains("shock_location_rms"));
+    CHECK(summary.dump().find("nan") == std::string::npos);
+}
