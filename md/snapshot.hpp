@@ -31,6 +31,7 @@ struct Ledger {
 struct Counters {
     std::int64_t pair_collisions = 0, plate_collisions = 0, ceiling_collisions = 0;
     std::int64_t other_events = 0;  // neighbourhoods left, predictions found out of date
+    double deepest_contact = 0.0;   // largest overlap at which a pair has collided, sigma: round-off
 };
 
 }  // namespace md

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+// The loop: next event, move, collide, predict anew. Each particle keeps one predicted event, its earliest; when a
+// partner has changed its mind meanwhile (its stamp differs), the event is found stale and only then replaced.
+// A cycle is cut into epochs. At the start of each, all particles are brought to one time, the frame takes over the
+// layer's mean velocity, and every event is predicted anew; at the start of a cycle the clock goes back to zero.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "md/collision_law.hpp"
+#include "md/engine.hpp"
+#include "md/event_queue.hpp"
+#include "md/moving_frame.hpp"
+#include "md/neighbour_lists.hpp"
+#include "md/particle.hpp"
+
+namespace md {
+
+/// Law: restitution of every contact. Layered: true with gravity, plate and ceiling; false in a box periodic in z.
+template <class Law, bool Layered>
+class EventLoop final : public Engine {
+  public:
+    EventLoop(const Setup& setup, const Law& law);
+
+    void advance_to(std::int64_t cycle, double time_in_cycle) override;
+    void advance_collisions(std::int64_t pair_collisions) override;
+    std::int64_t cycle() const override { return cycle_; }
+    double time_in_cycle() const override { return now_; }
+    double period() const override { return period_; }
+    std::int64_t particles() const override { return static_cast<std::int64_t>(particles_.size()); }
+    Snapshot snapshot() const override;
+    Ledger ledger() const override;
+    Counters counters() const override { return counters_; }
+    const Box& box() const override { return box_; }
+    std::int64_t memory() const override;
+    void save(files::CheckpointWriter& out) const override;
+    void restore(const files::CheckpointReader& in) override;
+
+  private:
+    /// What a particle's event is about; a partner below N is another particle.
+    struct Prediction {
+        std::uint32_t partner, stamp;
+    };
+    static constexpr std::uint32_t leaves_centre = 0xffffffffu, meets_plate = 0xfffffffeu, meets_ceiling = 0xfffffffdu;
+
+    void run(double until, std::int64_t last_pair_collision);
+    void process(std::uint32_t i);
+    void predict(std::uint32_t i);
+    void collide(std::uint32_t i, std::uint32_t j);
+    void collide_with_plate(std::uint32_t i);
+    void collide_with_ceiling(std::uint32_t i);
+    void begin_epoch();
+    void start_next_epoch();
+    void sort_in_space();
+    double epoch_end() const { return period_ * (epoch_ + 1) / epochs_; }
+    void watch_for_stall(std::uint32_t i, std::uint32_t j);
+
+    Box box_;
+    double period_;
+    Law law_;
+    int epochs_;  // a cycle
+    int cycles_between_sorts_;
+    MovingFrame frame_;
+    std::int64_t cycle_ = 0;
+    int epoch_ = 0;
+    double now_ = 0.0;
+    double highest_plate_ = 0.0;  // during this epoch
+    std::vector<Particle> particles_;
+    std::vector<Prediction> predictions_;
+    NeighbourLists neighbours_;
+    EventQueue queue_;
+    Counters counters_;
+    Ledger sums_;        // exchanges up to the start of this epoch
+    Ledger epoch_sums_;  // exchanges in this epoch: summed apart, so that round-off does not grow with the run
+    std::int64_t events_at_epoch_start_ = 0;
+    std::int64_t stall_mark_events_ = 0;
+    double stall_mark_time_ = 0.0;
+};
+
+}  // namespace md
+
+#include "md/event_loop_impl.hpp"

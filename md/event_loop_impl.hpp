@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: MIT
+// Bodies of md/event_loop.hpp: set-up, the loop itself, and what each event does.
+#pragma once
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "md/contact_time.hpp"
+#include "md/errors.hpp"
+#include "md/nearest_contact.hpp"
+#include "md/plate_contact_time.hpp"
+#include "md/sort_in_space.hpp"
+
+namespace md {
+
+/// Relative to the plate, in sqrt(g sigma). Slower rebounds leave at this speed: a hop of 5e-9 sigma at gravity 1, and
+/// at most 5000 hops per sqrt(sigma/g) of a particle that rides on the plate.
+inline constexpr double slowest_rebound = 1e-4;
+
+/// A contact farther than this from touching means a broken invariant, not round-off.
+inline constexpr double contact_tolerance = 1e-7;
+
+/// This many contacts within stall_time are an inelastic collapse: a million particles at contact rate 100 each need
+/// four orders of magnitude longer.
+inline constexpr std::int64_t stall_events = 100000;
+inline constexpr double stall_time = 1e-7;
+
+/// Reach of a list that holds about 14 neighbours, within what the box allows; a layer is as dense as a packing.
+double choose_shell(const Setup& setup);
+
+template <class Law, bool Layered>
+EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
+    : box_(setup.box),
+      period_(setup.period),
+      law_(law),
+      epochs_(setup.options.frames_per_cycle > 0 ? setup.options.frames_per_cycle
+              : Layered                          ? 16
+                                                 : 1),
+      cycles_between_sorts_(setup.options.cycles_between_sorts > 0 ? setup.options.cycles_between_sorts : 1),
+      cycle_(setup.start.cycle),
+      now_(0.0),
+      particles_(setup.start.position.size()),
+      predictions_(particles_.size()),
+      neighbours_(setup.box, choose_shell(setup), particles_.size()),
+      queue_(particles_.size()) {
+    for (std::size_t i = 0; i < particles_.size(); ++i) {
+        const auto& r = setup.start.position[i];
+        const auto& v = setup.start.velocity[i];
+        particles_[i] = {r[0], r[1], r[2], v[0], v[1], v[2], 0.0, 0, static_cast<std::uint32_t>(i)};
+    }
+    frame_.gravity = Layered ? 1.0 : 0.0;
+    sort_in_space();
+    begin_epoch();
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::sort_in_space() {
+    md::sort_in_space(particles_);
+    neighbours_.build(particles_);
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::begin_epoch() {
+    if constexpr (Layered) {
+        double mean = 0.0;
+        for (const Particle& p : particles_) mean += p.velocity_z;
+        mean /= static_cast<double>(particles_.size());
+        frame_.start = now_;
+        frame_.initial_velocity = mean;
+        for (Particle& p : particles_) p.velocity_z -= mean;
+        const double top = 0.5 * period_;
+        highest_plate_ = now_ <= top && top <= epoch_end()
+                             ? 2.0 * box_.plate->amplitude
+                             : std::max(box_.plate->position(now_), box_.plate->position(epoch_end()));
+    }
+    const std::int64_t events =
+        counters_.pair_collisions + counters_.plate_collisions + counters_.ceiling_collisions + counters_.other_events;
+    const double expected = std::max(static_cast<double>(events - events_at_epoch_start_), 0.1 * static_cast<double>(particles_.size()));
+    events_at_epoch_start_ = events;
+    queue_.reset(now_, epoch_end(), expected);
+    for (std::uint32_t i = 0; i < particles_.size(); ++i) predict(i);
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::start_next_epoch() {
+    now_ = epoch_end();
+    for (Particle& p : particles_) p.move_to(now_);
+    if constexpr (Layered) {
+        const double shift = frame_.displacement(now_), gained = frame_.velocity(now_);
+        for (Particle& p : particles_) {
+            p.z += shift;
+            p.velocity_z += gained;
+        }
+        neighbours_.shift_heights(shift);
+    }
+    sums_.plate_work += epoch_sums_.plate_work;
+    sums_.ceiling_work += epoch_sums_.ceiling_work;
+    sums_.collision_loss += epoch_sums_.collision_loss;
+    sums_.plate_loss += epoch_sums_.plate_loss;
+    sums_.ceiling_loss += epoch_sums_.ceiling_loss;
+    sums_.plate_impulse += epoch_sums_.plate_impulse;
+    sums_.virial += epoch_sums_.virial;
+    epoch_sums_ = {};
+    if (++epoch_ == epochs_) {
+        epoch_ = 0;
+        ++cycle_;
+        now_ = 0.0;
+        stall_mark_time_ -= period_;
+        for (Particle& p : particles_) p.time = 0.0;
+        if (cycle_ % cycles_between_sorts_ == 0) sort_in_space();
+    }
+    begin_epoch();
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::run(double until, std::int64_t last_pair_collision) {
+    while (counters_.pair_collisions < last_pair_collision) {
+        const QueuedEvent event = queue_.front();
+        if (!(event.time <= until)) return;
+        now_ = event.time;
+        process(event.owner);
+    }
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle) {
+    constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+    while (cycle_ < cycle || (cycle_ == cycle && epoch_end() < time_in_cycle && epoch_ + 1 < epochs_)) {
+        run(epoch_end(), no_limit);
+        start_next_epoch();
+    }
+    if (cycle_ > cycle || time_in_cycle <= now_) return;
+    const double until = std::min(time_in_cycle, epoch_end());
+    run(until, no_limit);
+    now_ = until;
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::advance_collisions(std::int64_t pair_collisions) {
+    const std::int64_t last = counters_.pair_collisions + pair_collisions;
+    while (true) {
+        run(epoch_end(), last);
+        if (counters_.pair_collisions >= last) return;
+        start_next_epoch();
+    }
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::predict(std::uint32_t i) {
+    const Particle& p = particles_[i];
+    const Contact contact = nearest_contact(p, now_, neighbours_.of(i), particles_.data(), neighbours_.x(),
+                                            neighbours_.y(), neighbours_.z());
+    double delay = contact.delay;
+    std::uint32_t partner = contact.partner;
+
+    const NeighbourLists::Centre& centre = neighbours_.centre(i);
+    const double dx = p.x - centre.x, dy = p.y - centre.y, dz = p.z - centre.z;
+    const double r_dot_v = dx * p.velocity_x + dy * p.velocity_y + dz * p.velocity_z;
+    const double r_squared = dx * dx + dy * dy + dz * dz;
+    const double v_squared = p.velocity_x * p.velocity_x + p.velocity_y * p.velocity_y + p.velocity_z * p.velocity_z;
+    const double free = neighbours_.free_radius_squared();
+    // Still inside when the contact comes? Then no root is needed.
+    if (delay == never || r_squared + delay * (2.0 * r_dot_v + delay * v_squared) > free) {
+        const double leaving = time_to_leave(r_dot_v, r_squared, v_squared, free);
+        if (leaving < delay) {
+            delay = leaving;
+            partner = leaves_centre;
+        }
+    }
+    if constexpr (Layered) {
+        const double height = p.z + frame_.displacement(now_), velocity = p.velocity_z + frame_.velocity(now_);
+        const double flight = std::min(delay, epoch_end() - now_);
+        const double lowest = std::min(height, height + flight * (velocity - 0.5 * flight)) - 0.5;
+        if (lowest <= highest_plate_) {
+            const double meeting = plate_contact_time(*box_.plate, height - 0.5, velocity, now_, now_ + flight);
+            if (meeting != never) {
+                delay = meeting - now_;
+                partner = meets_plate;
+            }
+        }
+        if (velocity > 0.0 && height + 0.5 * velocity * velocity > box_.z - 0.5) {
+            const double meeting = time_to_ceiling(box_.z - 0.5 - height, velocity);
+            if (meeting < delay) {
+                delay = meeting;
+                partner = meets_ceiling;
+            }
+        }
+    }
+    predictions_[i] = {partner, partner < meets_ceiling ? particles_[partner].stamp : 0};
+    queue_.schedule(i, now_ + delay);
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::process(std::uint32_t i) {
+    const Prediction prediction = predictions_[i];
+    switch (prediction.partner) {
+        case meets_plate:
+            return collide_with_plate(i);
+        case meets_ceiling:
+            return collide_with_ceiling(i);
+        case leaves_centre:
+            ++counters_.other_events;
+            particles_[i].move_to(now_);
+            neighbours_.rebuild(i, particles_[i]);
+            return predict(i);
+        default:
+            break;
+    }
+    if (particles_[prediction.partner].stamp == prediction.stamp) return collide(i, prediction.partner);
+    ++counters_.other_events;
+    particles_[i].move_to(now_);
+    predict(i);
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::collide(std::uint32_t i, std::uint32_t j) {
+    Particle& p = particles_[i];
+    Particle& q = particles_[j];
+    p.move_to(now_);
+    q.move_to(now_);
+    const double rx = neighbours_.x().image(q.x - p.x), ry = neighbours_.y().image(q.y - p.y);
+    const double rz = neighbours_.z().image(q.z - p.z);
+    const double vx = q.velocity_x - p.velocity_x, vy = q.velocity_y - p.velocity_y, vz = q.velocity_z - p.velocity_z;
+    const double r_dot_v = rx * vx + ry * vy + rz * vz;
+    const double r_squared = rx * rx + ry * ry + rz * rz;
+    if (!(std::abs(r_squared - 1.0) < contact_tolerance))
+        throw InvariantBroken(
+            fmt::format("md: particles {} and {} collide at distance {:.17g} in cycle {} at t = {}, "
+                        "collision {}",
+                        p.id, q.id, std::sqrt(r_squared), cycle_, now_, counters_.pair_collisions));
+    ++p.stamp;
+    ++q.stamp;
+    if (r_dot_v < 0.0) {  // else grazing, and round-off has already turned it round
+        const PairImpulse impulse = collide_pair(r_dot_v, r_squared, law_);
+        p.velocity_x += impulse.factor * rx;
+        p.velocity_y += impulse.factor * ry;
+        p.velocity_z += impulse.factor * rz;
+        q.velocity_x -= impulse.factor * rx;
+        q.velocity_y -= impulse.factor * ry;
+        q.velocity_z -= impulse.factor * rz;
+        epoch_sums_.collision_loss += impulse.loss;
+        epoch_sums_.virial -= impulse.factor * r_squared;
+        counters_.deepest_contact = std::max(counters_.deepest_contact, 0.5 * (1.0 - r_squared));
+    }
+    ++counters_.pair_collisions;
+    watch_for_stall(i, j);
+    predict(i);
+    predict(j);
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::collide_with_plate(std::uint32_t i) {
+    if constexpr (Layered) {
+        Particle& p = particles_[i];
+        p.move_to(now_);
+        const double before = p.velocity_z + frame_.velocity(now_), plate = box_.plate->velocity(now_);
+        if (before < plate) {
+            // Where the plate falls faster than gravity a slow rebound opens by itself and needs no cut-off.
+            const double cut_off = box_.plate->acceleration(now_) > -1.0 ? slowest_rebound : 0.0;
+            const WallImpulse impulse = collide_wall(before, plate, law_, cut_off);
+            p.velocity_z += impulse.velocity - before;
+            epoch_sums_.plate_work += impulse.work;
+            epoch_sums_.plate_loss += impulse.loss;
+            epoch_sums_.plate_impulse += impulse.velocity - before;
+        }
+        ++p.stamp;
+        ++counters_.plate_collisions;
+        watch_for_stall(i, i);
+        predict(i);
+    }
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::collide_with_ceiling(std::uint32_t i) {
+    if constexpr (Layered) {
+        Particle& p = particles_[i];
+        p.move_to(now_);
+        const double before = p.velocity_z + frame_.velocity(now_);
+        const WallImpulse impulse = collide_wall(before, 0.0, law_, 0.0);
+        p.velocity_z += impulse.velocity - before;
+        epoch_sums_.ceiling_work += impulse.work;
+        epoch_sums_.ceiling_loss += impulse.loss;
+        ++p.stamp;
+        ++counters_.ceiling_collisions;
+        predict(i);
+    }
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::watch_for_stall(std::uint32_t i, std::uint32_t j) {
+    const std::int64_t contacts = counters_.pair_collisions + counters_.plate_collisions;
+    if (contacts - stall_mark_events_ < stall_events) return;
+    if (now_ - stall_mark_time_ < stall_time) {
+        const std::string who = i == j ? fmt::format("particle {} and the plate", particles_[i].id)
+                                       : fmt::format("particles {} and {}", particles_[i].id, particles_[j].id);
+        throw Stalled(
+            fmt::format("md: inelastic collapse in cycle {} at t = {}: {} contacts within {:.3g}, the last of "
+                        "{}. Particles of constant restitution lose all relative speed in finite time; raise "
+                        "particles.restitution or use {{ law = \"velocity\", e0 = ... }}",
+                        cycle_, now_, stall_events, now_ - stall_mark_time_, who));
+    }
+    stall_mark_events_ = contacts;
+    stall_mark_time_ = now_;
+}
+
+}  // namespace md
+
+#include "md/event_loop_state.hpp"

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: MIT
+#include "md/initial_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <vector>
+
+#include "md/errors.hpp"
+#include "md/neighbour_lists.hpp"
+#include "md/random_stream.hpp"
+
+namespace md {
+
+namespace {
+
+using Vector = std::array<double, 3>;
+
+/// The region that holds the centres.
+struct Region {
+    Periodic x, y, z;
+    double lower = 0.0, upper = 0.0;  // of z
+};
+
+/// Sites of a face-centred cubic lattice, stretched to fit the region, with at least `wanted` sites whose neighbours
+/// are at least one diameter apart; empty if there is none.
+std::vector<Vector> lattice(const Region& region, std::int64_t wanted) {
+    const double height = region.upper - region.lower;
+    const bool periodic = region.z.length > 0.0;
+    // Cubic cells of edge >= sqrt(2) hold four sites. Start from the loosest lattice and tighten until enough fit.
+    for (double edge =
+             std::cbrt(4.0 * region.x.length * region.y.length * (height + 1.0) / static_cast<double>(wanted));
+         edge >= std::numbers::sqrt2; edge *= 0.995) {
+        const auto nx = static_cast<std::int64_t>(region.x.length / edge);
+        const auto ny = static_cast<std::int64_t>(region.y.length / edge);
+        // Half-cell layers: 2 per cell, the last one standing on the upper limit where that is a wall.
+        const auto layers = periodic ? 2 * static_cast<std::int64_t>(height / edge)
+                                     : static_cast<std::int64_t>(2.0 * height / edge) + 1;
+        if (nx < 1 || ny < 1 || layers < 1 || 2 * nx * ny * layers < wanted) continue;
+        const double ax = region.x.length / static_cast<double>(nx), ay = region.y.length / static_cast<double>(ny);
+        const double az = periodic     ? 2.0 * height / static_cast<double>(layers)
+                          : layers > 1 ? 2.0 * height / static_cast<double>(layers - 1)
+                                       : edge;
+        std::vector<Vector> sites;
+        for (std::int64_t k = 0; k < layers; ++k)
+            for (std::int64_t j = 0; j < 2 * ny; ++j)
+                for (std::int64_t i = 0; i < nx; ++i) {
+                    const double offset = (j + k) % 2 == 0 ? 0.0 : 0.5;
+                    sites.push_back({ax * (static_cast<double>(i) + offset), 0.5 * ay * static_cast<double>(j),
+                                     region.lower + 0.5 * az * static_cast<double>(k)});
+                }
+        return sites;
+    }
+    return {};
+}
+
+/// Metropolis moves of hard spheres, through cells of at least one diameter.
+class Disorder {
+  public:
+    Disorder(const Region& region, std::vector<Vector>& centres) : region_(region), centres_(centres) {
+        const auto across = [](double length) { return std::max<std::int64_t>(1, static_cast<std::int64_t>(length)); };
+        count_ = {across(region.x.length), across(region.y.length), across(region.upper - region.lower)};
+        cells_.resize(static_cast<std::size_t>(count_[0] * count_[1] * count_[2]));
+        for (std::uint32_t i = 0; i < centres_.size(); ++i) cells_[cell(centres_[i])].push_back(i);
+    }
+
+    /// Every particle tries one move on average. Returns the share accepted.
+    double sweep(double step, RandomStream& random) {
+        std::size_t accepted = 0;
+        for (std::size_t n = 0; n < centres_.size(); ++n) {
+            const std::size_t i = random.index(centres_.size());
+            Vector moved = centres_[i];
+            for (double& coordinate : moved) coordinate += random.uniform(-step, step);
+            moved[0] = region_.x.wrapped(moved[0]);
+            moved[1] = region_.y.wrapped(moved[1]);
+            if (region_.z.length > 0.0)
+                moved[2] = region_.z.wrapped(moved[2]);
+            else if (moved[2] < region_.lower || moved[2] > region_.upper)
+                continue;
+            if (touches(moved, i)) continue;
+            const std::size_t from = cell(centres_[i]), to = cell(moved);
+            centres_[i] = moved;
+            ++accepted;
+            if (from == to) continue;
+            std::erase(cells_[from], static_cast<std::uint32_t>(i));
+            cells_[to].push_back(static_cast<std::uint32_t>(i));
+        }
+        return static_cast<double>(accepted) / static_cast<double>(centres_.size());
+    }
+
+  private:
+    std::array<std::int64_t, 3> place(const Vector& r) const {
+        const std::array<double, 3> length{region_.x.length, region_.y.length, region_.upper - region_.lower};
+        const Vector from{r[0], r[1], r[2] - region_.lower};
+        std::array<std::int64_t, 3> at;
+        for (std::size_t a = 0; a < 3; ++a)
+            at[a] = std::clamp<std::int64_t>(
+                length[a] > 0.0 ? static_cast<std::int64_t>(from[a] / length[a] * static_cast<double>(count_[a])) : 0,
+                0, count_[a] - 1);
+        return at;
+    }
+    std::size_t cell(const Vector& r) const {
+        const auto at = place(r);
+        return static_cast<std::size_t>((at[2] * count_[1] + at[1]) * count_[0] + at[0]);
+    }
+    bool touches(const Vector& r, std::size_t self) const {
+        const auto at = place(r);
+        const auto moved = [&](std::size_t axis, std::int64_t by) {
+            return (at[axis] + by + count_[axis]) % count_[axis];
+        };
+        for (std::int64_t dz = -1; dz <= 1; ++dz)
+            for (std::int64_t dy = -1; dy <= 1; ++dy)
+                for (std::int64_t dx = -1; dx <= 1; ++dx)
+                    for (const std::uint32_t j : cells_[static_cast<std::size_t>(
+                             (moved(2, dz) * count_[1] + moved(1, dy)) * count_[0] + moved(0, dx))]) {
+                        if (j == self) continue;
+                        const double x = region_.x.image(centres_[j][0] - r[0]),
+                                     y = region_.y.image(centres_[j][1] - r[1]);
+                        const double z =
+                            region_.z.length > 0.0 ? region_.z.image(centres_[j][2] - r[2]) : centres_[j][2] - r[2];
+                        if (x * x + y * y + z * z < 1.0) return true;
+                    }
+        return false;
+    }
+
+    const Region& region_;
+    std::vector<Vector>& centres_;
+    std::array<std::int64_t, 3> count_;
+    std::vector<std::vector<std::uint32_t>> cells_;
+};
+
+/// Maxwell velocities with zero total momentum and exactly this temperature.
+std::vector<Vector> maxwell_velocities(std::int64_t particles, double temperature, RandomStream& random) {
+    std::vector<Vector> velocities(static_cast<std::size_t>(particles));
+    for (Vector& v : velocities)
+        for (double& component : v) component = random.normal();
+    if (particles < 2) {  // no momentum leaves a single particle at rest
+        for (Vector& v : velocities) v = {0.0, 0.0, 0.0};
+        return velocities;
+    }
+    Vector mean{};
+    for (const Vector& v : velocities)
+        for (std::size_t a = 0; a < 3; ++a) mean[a] += v[a] / static_cast<double>(particles);
+    double square = 0.0;
+    for (Vector& v : velocities)
+        for (std::size_t a = 0; a < 3; ++a) {
+            v[a] -= mean[a];
+            square += v[a] * v[a];
+        }
+    const double scale = std::sqrt(3.0 * temperature * static_cast<double>(particles) / square);
+    for (Vector& v : velocities)
+        for (double& component : v) component *= scale;
+    return velocities;
+}
+
+}  // namespace
+
+Snapshot make_initial_state(const InitialState& state, const Box& box) {
+    RandomStream random(state.seed);
+    const auto count = static_cast<std::size_t>(state.particles);
+    const double material = static_cast<double>(state.particles) * std::numbers::pi / 6.0 / state.volume_fraction;
+    Region region{Periodic(box.x), Periodic(box.y), box.periodic_z ? Periodic(box.z) : Periodic(), 0.0, box.z};
+    if (!box.periodic_z) {
+        const double height = std::max(1.0, material / (box.x * box.y));
+        if (height > box.z)
+            throw CannotSetUp(
+                fmt::format("md: {} particles at initial.volume_fraction = {} stand {:.3g} high, above the "
+                            "ceiling at {}",
+                            state.particles, state.volume_fraction, height, box.z));
+        region.lower = 0.5;
+        region.upper = height - 0.5;
+    }
+    Snapshot start;
+    std::vector<Vector> sites = lattice(region, state.particles);
+    if (sites.size() < count)
+        throw CannotSetUp(
+            fmt::format("md: {} particles do not fit at initial.volume_fraction = {} into {} x {}; a lower "
+                        "fraction or a larger box would do",
+                        state.particles, state.volume_fraction, box.x, box.y));
+    for (std::size_t i = 0; i < count; ++i) {  // a random choice of sites, in random order
+        std::swap(sites[i], sites[i + random.index(sites.size() - i)]);
+        start.position.push_back(sites[i]);
+    }
+    Disorder disorder(region, start.position);
+    double step = 0.3;
+    constexpr int sweeps = 100;  // at nu = 0.3 a particle wanders more than a diameter
+    for (int n = 0; n < sweeps; ++n) {
+        const double accepted = disorder.sweep(step, random);
+        step = std::clamp(step * (accepted < 0.4 ? 0.9 : 1.1), 1e-3, 0.5);
+    }
+    start.velocity = maxwell_velocities(state.particles, state.temperature, random);
+    return start;
+}
+
+}  // namespace md

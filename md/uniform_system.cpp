@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: MIT
+#include "md/uniform_system.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace md {
+
+double UniformSystem::box_length() const {
+    return std::cbrt(static_cast<double>(particles) * std::numbers::pi / (6.0 * volume_fraction));
+}
+
+}  // namespace md
