@@ -127,6 +127,11 @@ void write_history(files::Hdf5File& file, const std::string& group, const Analys
     file.write(group + "/shock/fully_formed_phase", number(&ShockHistory::fully_formed_phase));
     file.write(group + "/shock/leaving_phase", number(&ShockHistory::leaving_phase));
     file.write(group + "/shock/mean_speed", number(&ShockHistory::mean_speed));
+    const auto count = static_cast<std::int64_t>(analysis.measures.size());
+    std::vector<std::int64_t> followed;
+    for (std::int64_t p = 0; p < count; ++p)
+        followed.push_back(analysis.history && analysis.history->follows(p, count));
+    file.write(group + "/shock/followed", followed);
 }
 
 void write_axes(files::Hdf5File& file, const Analysis& analysis) {

@@ -32,6 +32,11 @@ struct ShockHistory {
     double mean_speed = 0.0;          // in the frame of the plate, between the two, sqrt(g sigma)
     double fully_formed_phase = 0.0;  // width over mean free path at the location is at its greatest
     double approach_mach = 0.0;       // greatest Mach number in the layer at the last phase before formation
+
+    /// Whether a phase index lies between formation and leaving, round the cycle.
+    bool follows(std::int64_t phase, std::int64_t phases) const {
+        return ((phase - first) % phases + phases) % phases <= last - first;
+    }
 };
 
 /// Follows the longest run of phases with a shock, circularly: a cycle has no preferred start. Gaps up to a hundredth

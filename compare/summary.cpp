@@ -107,13 +107,8 @@ double shock_location_rms(const Analysis& continuum, const Analysis& md, double 
     double squares = 0.0;
     std::int64_t phases = 0;
     for (std::int64_t i = md.history->first; i <= md.history->last; ++i) {
-        // Either run may have been counted from the cycle before.
-        const auto is_followed = [&](const ShockHistory& h) {
-            return (i >= h.first && i <= h.last) || (i + count >= h.first && i + count <= h.last) ||
-                   (i - count >= h.first && i - count <= h.last);
-        };
         const auto k = static_cast<std::size_t>(i % count);
-        if (!is_followed(*continuum.history) || !md.measures[k].shock || !continuum.measures[k].shock) continue;
+        if (!continuum.history->follows(i, count) || !md.measures[k].shock || !continuum.measures[k].shock) continue;
         const double difference = continuum.measures[k].shock->location + lift - md.measures[k].shock->location;
         squares += difference * difference;
         ++phases;

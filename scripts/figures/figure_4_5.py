@@ -1,0 +1,54 @@
+# SPDX-License-Identifier: MIT
+"""Figure 4.5: greatest Mach number in the layer, and shock width over mean free path, while the shock lives."""
+import sys
+
+import numpy as np
+
+import run_folder
+from style import LENGTH, MACH, plt, points, save
+
+NAME = "figure_4_5"
+RANGE = (0.08, 0.38)
+CAPTION = (
+    "Figure 4.5. Greatest Mach number in the layer (dashed line: continuum, triangles: MD) and shock width over the mean free "
+    "path at the shock's location (solid line: continuum, circles: MD) against phase. Bars are one standard error. Vertical: "
+    "the source's formation (ft = 0.12) and leaving (ft = 0.35)."
+)
+PUBLISHED_LIFE = (0.12, 0.35)
+
+
+def draw(run):
+    shown = (run.phase >= RANGE[0] - 1e-9) & (run.phase <= RANGE[1] + 1e-9)
+    phase = run.phase[shown]
+    figure, axis = plt.subplots(figsize=(5.6, 4.2))
+    ratio = {}
+    for engine in (run.continuum, run.md):
+        followed = engine("shock/followed") > 0
+        ratio[engine] = np.where(followed, engine("shock/width_over_mean_free_path"), np.nan)[shown]
+    some = slice(None, None, max(1, len(run.phase) // 100))
+    axis.plot(phase, run.continuum("max_mach")[shown], "--", color=MACH, label=r"largest $\mathrm{Ma}$, continuum")
+    points(axis, phase[some], run.md("max_mach")[shown][some], y_error=run.md.error("max_mach")[shown][some], marker="^",
+           color=MACH, mfc="none", label=r"largest $\mathrm{Ma}$, MD")
+    axis.plot(phase, ratio[run.continuum], color=LENGTH, label=r"$d/\lambda$, continuum")
+    points(axis, phase[some], ratio[run.md][some],
+           y_error=run.md.error("shock/width_over_mean_free_path")[shown][some], marker="o", color=LENGTH, mfc="none",
+           label=r"$d/\lambda$, MD")
+    for ft in PUBLISHED_LIFE:
+        axis.axvline(ft, color="0.6", lw=0.8, ls=":")
+    axis.axhline(1.0, color="0.6", lw=0.8, ls=":")
+    axis.set_xlim(*RANGE)
+    axis.set_ylim(bottom=0)
+    axis.set_xlabel(r"$ft$")
+    axis.set_ylabel(r"$\mathrm{Ma}$,  $d/\lambda$")
+    axis.legend(loc="upper right")
+    return save(figure, run.figures, NAME, {
+        "ft": phase,
+        "largest Ma MD": run.md("max_mach")[shown], "largest Ma MD error": run.md.error("max_mach")[shown],
+        "largest Ma continuum": run.continuum("max_mach")[shown],
+        "d/lambda MD": ratio[run.md], "d/lambda MD error": run.md.error("shock/width_over_mean_free_path")[shown],
+        "d/lambda continuum": ratio[run.continuum],
+    })
+
+
+if __name__ == "__main__":
+    sys.exit(run_folder.main(draw))

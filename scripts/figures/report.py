@@ -1,0 +1,169 @@
+# SPDX-License-Identifier: MIT
+"""DIR/report.html: the figures and the numbers of a run beside the published ones, in one file without outside parts."""
+import base64
+import html
+import sys
+import tomllib
+from pathlib import Path
+
+import figure_4_1
+import figure_4_2b
+import figure_4_3
+import figure_4_5
+from run_folder import Run, RunError
+
+FIGURES = (figure_4_1, figure_4_2b, figure_4_3, figure_4_5)
+REFERENCES = Path(__file__).resolve().parents[2] / "data" / "references" / "chapter_4.toml"
+STYLE = """
+body { font: 15px/1.5 system-ui, sans-serif; color: #222; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
+h1 { font-size: 1.5rem; } h2 { font-size: 1.15rem; margin-top: 2rem; }
+table { border-collapse: collapse; width: 100%; font-size: 0.92rem; }
+th, td { border-bottom: 1px solid #ddd; padding: 0.35rem 0.6rem; text-align: left; vertical-align: top; }
+th { border-bottom: 2px solid #888; } td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
+.yes { color: #1b7837; } .no { color: #b2182b; font-weight: 600; }
+figure { margin: 1.5rem 0; } figure img { max-width: 100%; height: auto; display: block; margin: 0 auto; }
+figcaption, .small { font-size: 0.88rem; color: #555; }
+"""
+
+
+def main():
+    if len(sys.argv) != 2:
+        print("usage: report.py DIR", file=sys.stderr)
+        return 2
+    try:
+        run = Run(sys.argv[1])
+        images = [(module, module.draw(run)) for module in FIGURES]
+    except RunError as error:
+        print(error, file=sys.stderr)
+        return 66
+    target = run.folder / "report.html"
+    target.write_text(page(run, images), encoding="utf-8")
+    print(target)
+    return 0
+
+
+def page(run, images):
+    references = tomllib.loads(REFERENCES.read_text())
+    name = html.escape(run.summary["scene"])
+    return f"""<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><meta name="viewport" content="width=device-width">
+<title>shaken: {name}</title><style>{STYLE}</style></head><body>
+<h1>{name}: molecular dynamics and hydrodynamics of one shaken layer</h1>
+<p>Lengths in particle diameters, times in (diameter/gravity)<sup>1/2</sup>. MD numbers carry one standard error (blocks of
+cycles left out in turn). A verdict is given only where the source, or its reproduction, states a tolerance.</p>
+<h2>Numbers beside the published ones</h2>
+{number_table(run.summary, references)}
+{origins(references)}
+<h2>Centre of mass over the cycle</h2>
+{centre_table(run.summary)}
+<h2>What it took</h2>
+{cost_table(run.summary)}
+<h2>Figures</h2>
+{"".join(figure(module, path) for module, path in images)}
+</body></html>
+"""
+
+
+def number_table(summary, references):
+    rows = []
+    for number in references["number"]:
+        if number["engines"]:
+            md, continuum = find(summary["md"], number["key"]), find(summary["continuum"], number["key"])
+        else:
+            md, continuum = find(summary, number["key"]), None
+        cells = [html.escape(number["words"]), f'<span title="{html.escape(number["place"])}">{published(number)}</span>']
+        if number["engines"]:
+            cells += [shown(*md), shown(*continuum)]
+            verdicts = [verdict(number, value[0]) for value in (md, continuum) if value[0] is not None]
+        else:
+            cells += [f'<td class="number" colspan="2">{shown(*md)}</td>']
+            verdicts = [verdict(number, md[0])]
+        rows.append(row(cells, verdicts))
+    return ("<table><tr><th>what</th><th>published</th><th>MD</th><th>continuum</th><th>within</th></tr>" + "".join(rows) + "</table>")
+
+
+def row(cells, verdicts):
+    body = "".join(c if c.startswith("<td") else f'<td class="number">{c}</td>' if i else f"<td>{c}</td>" for i, c in enumerate(cells))
+    marks = [f'<span class="{"yes" if v else "no"}">{"yes" if v else "no"}</span>' for v in verdicts if v is not None]
+    return f"<tr>{body}<td>{', '.join(marks) or '&ndash;'}</td></tr>"
+
+
+def find(values, key):
+    """A number and its error by a key with dots; None where the summary has none."""
+    *path, last = key.split(".")
+    for part in path:
+        values = values.get(part) or {}
+    return values.get(last), values.get(last + "_error")
+
+
+def published(number):
+    value = f'{number["value"]:g}'
+    match number["relation"]:
+        case "near":
+            return f'{value} &plusmn; {number["tolerance"]:g}'
+        case "above":
+            return f"&gt; {value}"
+        case "below":
+            return f"&lt; {value}"
+    return f"&asymp; {value}"
+
+
+def verdict(number, value):
+    if value is None:
+        return None if number["relation"] == "about" else False
+    match number["relation"]:
+        case "near":
+            return abs(value - number["value"]) <= number["tolerance"]
+        case "above":
+            return value > number["value"]
+        case "below":
+            return value < number["value"]
+    return None
+
+
+def shown(value, error=None):
+    if value is None:
+        return "&ndash;"
+    if not error:
+        return f"{value:.4g}"
+    places = max(0, 1 - int(f"{error:e}".split("e")[1]))
+    return f"{value:.{places}f} &plusmn; {error:.{places}f}"
+
+
+def origins(references):
+    used = sorted({number["origin"] for number in references["number"]})
+    items = "".join(f"<li>{html.escape(references['origins'][o])}</li>" for o in used)
+    return f'<ul class="small">{items}</ul>'
+
+
+def centre_table(summary):
+    md, errors, continuum = summary["md"]["zcm"], summary["md"]["zcm_error"], summary["continuum"]["zcm"]
+    rows = "".join(
+        f'<tr><td class="number">{k / len(md):.2f}</td><td class="number">{shown(md[k], errors[k])}</td>'
+        f'<td class="number">{continuum[k]:.3f}</td><td class="number">{100 * (continuum[k] - md[k]) / md[k]:+.2f}</td>'
+        f'<td class="number">{100 * (continuum[k] + 0.5 - md[k]) / md[k]:+.2f}</td></tr>'
+        for k in range(len(md))
+    )
+    return ("<table><tr><th>ft</th><th>MD</th><th>continuum, floor at the plate</th><th>difference, %</th>"
+            f"<th>floor half a diameter up, %</th></tr>{rows}</table>")
+
+
+def cost_table(summary):
+    keys = (("wall_seconds", "wall-clock seconds"), ("cpu_seconds", "processor seconds"),
+            ("collisions_per_particle_per_cycle", "pair collisions per particle per cycle"), ("steps_per_cycle", "steps per cycle"))
+    rows = "".join(
+        f'<tr><td>{words}</td><td class="number">{shown(summary["md"].get(key))}</td>'
+        f'<td class="number">{shown(summary["continuum"].get(key))}</td></tr>'
+        for key, words in keys
+    )
+    return f"<table><tr><th></th><th>MD</th><th>continuum</th></tr>{rows}</table>"
+
+
+def figure(module, path):
+    data = base64.b64encode(path.read_bytes()).decode()
+    caption = html.escape(module.CAPTION)
+    return f'<figure><img alt="{module.NAME}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'
+
+
+if __name__ == "__main__":
+    sys.exit(main())

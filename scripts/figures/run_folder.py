@@ -1,0 +1,100 @@
+# SPDX-License-Identifier: MIT
+"""What a run folder holds, as arrays: compare.h5 and summary.json, and the particle frames of md.h5 if there are any.
+
+Units: sigma, sqrt(sigma/g). Phases are ft in [0, 1). Heights in compare.h5 are above the plate; `lab` adds the plate.
+"""
+import json
+import sys
+from pathlib import Path
+
+import h5py
+import numpy as np
+
+LAYER_VOLUME_FRACTION = 0.04 * 0.65
+
+
+class RunError(Exception):
+    """A run folder that lacks something, in words for the user."""
+
+
+class Engine:
+    """One engine's group of compare.h5; arrays by the names of docs/formats.md, errors NaN where there are none."""
+
+    def __init__(self, group):
+        self._values = {}
+        group.visititems(lambda name, item: self._values.__setitem__(name, item[()]) if isinstance(item, h5py.Dataset) else None)
+
+    def __call__(self, name):
+        return self._values[name]
+
+    def error(self, name):
+        return self._values.get(name + "_error", np.full(np.shape(self._values[name]), np.nan))
+
+    @property
+    def volume_fraction(self):
+        return self("density") * np.pi / 6
+
+    @property
+    def volume_fraction_error(self):
+        return self.error("density") * np.pi / 6
+
+
+class Run:
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        compare = self.folder / "compare.h5"
+        summary = self.folder / "summary.json"
+        for needed in (compare, summary):
+            if not needed.is_file():
+                raise RunError(f"{needed}: not there; make it with: shaken compare {self.folder}")
+        with h5py.File(compare) as file:
+            self.phase = file["phase"][()]
+            self.height = file["height"][()]
+            self.plate_height = file["plate/height"][()]
+            self.md = Engine(file["md"])
+            self.continuum = Engine(file["continuum"])
+        self.summary = json.loads(summary.read_text())
+
+    @property
+    def figures(self):
+        return self.folder / "figures"
+
+    def nearest(self, phase):
+        """Index of the sampled phase nearest to ft, round the cycle."""
+        distance = np.abs((self.phase - phase + 0.5) % 1.0 - 0.5)
+        return int(np.argmin(distance))
+
+    def bin_edges(self):
+        width = self.height[1] - self.height[0]
+        return np.append(self.height - width / 2, self.height[-1] + width / 2)
+
+    def frame(self, phase):
+        """(phase, positions) of the particle frame nearest to ft, or None where md.h5 has no frames."""
+        path = self.folder / "md.h5"
+        if not path.is_file():
+            return None
+        with h5py.File(path) as file:
+            if "particles/all/position/value" not in file or "particles/all/phase" not in file:
+                return None
+            phases = file["particles/all/phase"][()]
+            nearest = int(np.argmin(np.abs((phases - phase + 0.5) % 1.0 - 0.5)))
+            return float(phases[nearest]), file["particles/all/position/value"][nearest]
+
+    def box_width(self):
+        with h5py.File(self.folder / "md.h5") as file:
+            edges = file["particles/all/box/edges"]
+            values = edges["value"][0] if isinstance(edges, h5py.Group) else edges[()]
+            return float(values[0, 0] if np.ndim(values) == 2 else values[0])
+
+
+def main(draw):
+    """Runs one figure script: `python3 figure_x.py DIR`."""
+    if len(sys.argv) != 2:
+        print(f"usage: {Path(sys.argv[0]).name} DIR", file=sys.stderr)
+        return 2
+    try:
+        print(draw(Run(sys.argv[1])))
+    except RunError as error:
+        print(error, file=sys.stderr)
+        return 66
+    return 0

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+#include "compare/compare_file.hpp"
+
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "synthetic.hpp"
+
+namespace {
+
+const scene::PlateMotion motion{5.0, 0.1};
+
+/// A front that runs up through a layer at rest on the plate; blocks of cycles differ by noise of the velocity.
+fields::PhaseMoments run_with_front(std::int64_t blocks) {
+    fields::PhaseMoments moments(40, {0.0, 0.5, 80}, 1.0, blocks, blocks);
+    for (std::int64_t cycle = 0; cycle < blocks; ++cycle) {
+        synthetic::Normal normal(static_cast<std::uint64_t>(cycle) + 1);
+        for (std::int64_t phase = 0; phase < 40; ++phase) {
+            const double ft = static_cast<double>(phase) / 40.0;
+            const synthetic::Front front{.location = ft < 0.2 ? -20.0 : 2.0 + 60.0 * (ft - 0.2)};
+            const double plate = motion.velocity(ft * motion.period());
+            moments.begin_sample(cycle, phase);
+            for (int i = 0; i < 400; ++i) {
+                const double z = 0.1 * i + 0.05;
+                const double n = front.volume_fraction(z) * 6.0 / std::numbers::pi;
+                moments.add_slab(z - 0.05, z + 0.05, n, {0.0, 0.0, plate + front.velocity(z) + 0.05 * normal()},
+                                 front.temperature(z));
+            }
+            moments.set_centre_of_mass(10.0 + 0.1 * normal());
+        }
+    }
+    return moments;
+}
+
+}  // namespace
+
+TEST_CASE("what compare.h5 says of a run is what was measured of it") {
+    const compare::Medium medium = synthetic::ideal_gas();
+    const auto md = compare::measure(run_with_front(4), motion, medium);
+    const auto continuum = compare::measure(run_with_front(1), motion, medium);
+    REQUIRE(md.all.history);
+    const auto path = std::filesystem::temp_directory_path() / "shaken_compare_test.h5";
+    compare::write_compare_file(path, md, continuum, medium, {});
+    {
+        const files::Hdf5File file(path, files::Open::read);
+        CHECK(file.shape("/md/temperature") == files::Shape{40, 80});
+        CHECK(file.shape("/md/temperature_error") == files::Shape{40, 80});
+        CHECK_FALSE(file.has("/continuum/temperature_error"));  // one block: no error to give
+        const std::size_t phase = 12, bin = 9;
+        const fields::Profile& profile = md.all.profiles[phase];
+        CHECK(file.read<double>("/md/temperature")[phase * 80 + bin] == profile.temperature[bin]);
+        CHECK(file.read<double>("/md/density")[phase * 80 + bin] == profile.density[bin]);
+        CHECK(file.read<double>("/md/mach")[phase * 80 + bin] == compare::mach_number(profile, bin, medium));
+        CHECK(file.read<double>("/md/shock/location")[phase] == md.all.measures[phase].shock->location);
+        CHECK(std::isnan(file.read<double>("/md/shock/location")[4]));
+        CHECK(file.read<double>("/md/layer/upper")[phase] == md.all.measures[phase].layer->upper);
+        CHECK(file.read_number("/md/shock/formation_phase") == md.all.history->formation_phase);
+        CHECK(file.read<std::int64_t>("/md/shock/followed")[phase] == 1);
+        CHECK(file.read<std::int64_t>("/md/shock/followed")[4] == 0);
+        CHECK(file.read<double>("/height")[bin] == 4.75);
+        CHECK(file.read<double>("/plate/height")[20] == Approx(10.0));
+        CHECK(file.read_text_attribute("/md/velocity", "unit") == "sqrt(g sigma)");
+        // The error of the velocity's mean over four blocks, by hand.
+        std::vector<double> without;
+        for (const auto& a : md.without_block) without.push_back(a.profiles[phase].velocity[bin]);
+        double mean = 0.0, squares = 0.0;
+        for (const double u : without) mean += u / 4.0;
+        for (const double u : without) squares += (u - mean) * (u - mean);
+        CHECK(file.read<double>("/md/velocity_error")[phase * 80 + bin] ==
+              Approx(std::sqrt(0.75 * squares)).epsilon(1e-9));
+    }
+    std::filesystem::remove(path);
+}
+
+TEST_CASE("runs on different bins are not compared") {
+    const compare::Medium medium = synthetic::ideal_gas();
+    const auto one = compare::measure(fields::PhaseMoments(20, {0.0, 0.5, 80}, 1.0, 1, 1), motion, medium);
+    const auto other = compare::measure(fields::PhaseMoments(20, {0.0, 1.0, 40}, 1.0, 1, 1), motion, medium);
+    CHECK_THROWS_AS(compare::write_compare_file("/nowhere/compare.h5", one, other, medium, {}), std::invalid_argument);
+}

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <filesystem>
+
+#include "compare/continuum_sampler.hpp"
+#include "compare/md_sampler.hpp"
+#include "scene/read_scene.hpp"
+#include "synthetic.hpp"
+
+namespace {
+
+scene::Scene small_scene() {
+    return scene::parse_scene(R"(
+[scene]
+name = "small"
+[plate]
+acceleration = 3.0
+frequency = 0.095
+[particles]
+number = 246
+restitution = 0.9
+[box]
+x = 5.0
+y = 5.0
+[sample]
+phases = 20
+settle = 1
+average = 4
+[continuum]
+spacing = 0.5
+lid = 40.0
+)",
+                              "small.toml");
+}
+
+/// Particles strewn over the heights that bins cover, and two above the lid.
+md::Snapshot snapshot(const scene::Scene& scene, std::int64_t cycle, std::int64_t phase) {
+    synthetic::Normal normal(static_cast<std::uint64_t>(100 * cycle + phase + 1));
+    const double time = static_cast<double>(phase) / static_cast<double>(scene.sample.phases) * scene.motion.period();
+    md::Snapshot s{.cycle = cycle, .time_in_cycle = time, .position = {}, .velocity = {}};
+    for (std::int64_t i = 0; i < scene.number_of_particles; ++i) {
+        const double above = i < 2 ? scene.continuum.lid + 10.0 : 0.5 + std::abs(8.0 * normal());
+        s.position.push_back({1.0, 1.0, scene.motion.position(time) + std::min(above, 100.0)});
+        s.velocity.push_back({normal(), normal(), -4.0 + normal()});
+    }
+    return s;
+}
+
+double mass(const fields::Profile& profile, double area) {
+    double sum = 0.0;
+    for (const double n : profile.density) sum += n * profile.bins.width * area;
+    return sum;
+}
+
+std::filesystem::path scratch(const std::string& name) { return std::filesystem::temp_directory_path() / name; }
+
+}  // namespace
+
+TEST_CASE("the MD sampler counts every particle below the lid once, and all of them in the centre of mass") {
+    const scene::Scene scene = small_scene();
+    compare::MdSampler sampler(scene);
+    double sum = 0.0;
+    for (std::int64_t cycle = 1; cycle < 5; ++cycle) {
+        const md::Snapshot s = snapshot(scene, cycle, 7);
+        sampler.sample(s, cycle, 7);
+        for (const auto& x : s.position) sum += x[2];
+    }
+    const double area = scene.box.x * scene.box.y;
+    const auto particles = static_cast<double>(scene.number_of_particles);
+    // Round-off of some hundred additions.
+    CHECK(mass(sampler.moments().profile(7, scene.motion), area) == Approx(particles - 2.0).epsilon(1e-12));
+    CHECK(sampler.moments().mean_centre_of_mass(7).first == Approx(sum / (4.0 * particles)).epsilon(1e-12));
+}
+
+TEST_CASE("cycles of settling and after averaging leave no trace in the sums") {
+    const scene::Scene scene = small_scene();
+    compare::MdSampler sampler(scene);
+    sampler.sample(snapshot(scene, 0, 3), 0, 3);
+    sampler.sample(snapshot(scene, 5, 3), 5, 3);
+    CHECK(mass(sampler.moments().profile(3, scene.motion), 1.0) == 0.0);
+    CHECK(std::isnan(sampler.moments().mean_centre_of_mass(3).first));
+}
+
+TEST_CASE("an MD sampler restored from a checkpoint goes on with the same bits") {
+    const scene::Scene scene = small_scene();
+    compare::MdSampler whole(scene), first(scene), second(scene);
+    whole.sample(snapshot(scene, 1, 2), 1, 2);
+    first.sample(snapshot(scene, 1, 2), 1, 2);
+    files::CheckpointWriter out;
+    first.save(out);
+    const auto path = scratch("shaken_md_sampler.checkpoint");
+    out.commit(path);
+    second.restore(files::CheckpointReader(path));
+    std::filesystem::remove(path);
+    whole.sample(snapshot(scene, 2, 2), 2, 2);
+    second.sample(snapshot(scene, 2, 2), 2, 2);
+    files::CheckpointWriter a, b;
+    whole.save(a);
+    second.save(b);
+    CHECK(a.hash() == b.hash());
+}
+
+TEST_CASE("the continuum sampler keeps the solver's mass, and its centre of mass moves with the floor") {
+    const scene::Scene scene = small_scene();
+    continuum::Solver solver(scene);
+    compare::ContinuumSampler plain(scene), lifted(scene, 0.5);
+    for (std::int64_t phase = 0; phase < 20; phase += 5) {
+        solver.advance_to_phase(1, phase);
+        plain.sample(solver, 1, phase);
+        lifted.sample(solver, 1, phase);
+        const fields::Profile profile = plain.moments().profile(phase, scene.motion);
+        INFO("phase " << phase);
+        CHECK(mass(profile, 1.0) == Approx(solver.mass()).epsilon(1e-12));  // round-off
+        const auto column = solver.column(0, 0);
+        double moment = 0.0, total = 0.0;
+        for (std::size_t k = 0; k < column.density.size(); ++k) {
+            moment += column.density[k] * (static_cast<double>(k) + 0.5) * solver.spacing_z();
+            total += column.density[k];
+        }
+        const double expected = moment / total + profile.plate_height;
+        CHECK(plain.moments().mean_centre_of_mass(phase).first == Approx(expected).epsilon(1e-12));
+        CHECK(lifted.moments().mean_centre_of_mass(phase).first == Approx(expected + 0.5).epsilon(1e-12));
+    }
+}
+
+TEST_CASE("a continuum sampled into bins as wide as its cells shows its own fields") {
+    const scene::Scene scene = small_scene();  // bins and cells of 0.5
+    continuum::Solver solver(scene);
+    compare::ContinuumSampler sampler(scene);
+    solver.advance_to_phase(1, 4);
+    sampler.sample(solver, 1, 4);
+    const fields::Profile profile = sampler.moments().profile(4, scene.motion);
+    const auto column = solver.column(0, 0);
+    for (std::size_t k = 0; k < column.density.size(); k += 7) {
+        INFO("cell " << k);
+        // Round-off: T is a difference of second moment and squared mean, whose size is u^2.
+        const double u = column.velocity_z[k] + profile.plate_velocity;
+        CHECK(profile.density[k] == Approx(column.density[k]).epsilon(1e-12));
+        CHECK(profile.velocity[k] == Approx(u).margin(1e-12 * (1.0 + std::abs(u))));
+        CHECK(profile.temperature[k] == Approx(column.temperature[k]).margin(1e-13 * (1.0 + u * u)));
+    }
+}
