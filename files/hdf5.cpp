@@ -277,10 +277,27 @@ std::string Hdf5File::read_text(const std::string& name) const {
     return text.substr(0, text.find('\0'));
 }
 
+namespace {
+
+Handle open_attribute(hid_t file, const std::string& path, const std::string& object, const std::string& name) {
+    Handle attribute(H5Aopen_by_name(file, object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT), H5Aclose);
+    if (attribute.id() < 0) throw Damaged(fmt::format("{}: {} has no attribute {}", path, object, name));
+    return attribute;
+}
+
+}  // namespace
+
+double Hdf5File::read_number_attribute(const std::string& object, const std::string& name) const {
+    const Handle attribute = open_attribute(file_.id(), path_, object, name);
+    double value = 0.0;
+    if (H5Aread(attribute.id(), H5T_NATIVE_DOUBLE, &value) < 0) {
+        throw Damaged(fmt::format("{}: attribute {} of {} is not a number", path_, name, object));
+    }
+    return value;
+}
+
 std::string Hdf5File::read_text_attribute(const std::string& object, const std::string& name) const {
-    const Handle attribute(H5Aopen_by_name(file_.id(), object.c_str(), name.c_str(), H5P_DEFAULT, H5P_DEFAULT),
-                           H5Aclose);
-    if (attribute.id() < 0) throw Damaged(fmt::format("{}: {} has no attribute {}", path_, object, name));
+    const Handle attribute = open_attribute(file_.id(), path_, object, name);
     const Handle type(H5Aget_type(attribute.id()), H5Tclose);
     std::string text(H5Tget_size(type.id()), '\0');
     if (H5Aread(attribute.id(), type.id(), text.data()) < 0) {

@@ -78,6 +78,7 @@ class Hdf5File {
     double read_number(const std::string& name) const;
     std::string read_text(const std::string& name) const;
     std::string read_text_attribute(const std::string& object, const std::string& name) const;
+    double read_number_attribute(const std::string& object, const std::string& name) const;
 
     /// Everything written so far survives the death of the process. Throws WriteFailed (disk full).
     void flush();

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+// Other programs: this command again as a child, and the Python that draws.
+#pragma once
+
+#include <sys/types.h>
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace app {
+
+/// A running child; its standard streams are ours.
+class ChildProcess {
+  public:
+    /// Starts `program` (a path, or a name to be found on PATH). Throws std::runtime_error if it cannot be started.
+    ChildProcess(const std::string& program, const std::vector<std::string>& arguments, bool silent = false);
+    /// Exit code if it has ended (128 + signal if killed by one), nothing while it runs.
+    std::optional<int> poll();
+    int wait();
+    void signal(int number) const;
+
+  private:
+    static int code_of(int wait_status);
+    pid_t pid_ = -1;
+    std::optional<int> code_;
+};
+
+/// Path of the running command.
+std::filesystem::path own_path();
+
+/// Folder of what the command needs at run time besides itself: the installed share/shaken, or the source tree.
+std::filesystem::path share_folder();
+
+/// A Python 3 that has matplotlib, h5py and numpy: $SHAKEN_PYTHON, python3 on PATH, /usr/bin/python3, in that order.
+/// Throws files::NoInput with the names of the packages if there is none.
+std::string drawing_python();
+
+}  // namespace app

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: MIT
+#include "app/continuum_run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+
+#include "app/frames.hpp"
+#include "fields/field_file.hpp"
+#include "files/provenance.hpp"
+#include "scene/read_scene.hpp"
+
+namespace app {
+
+namespace {
+
+/// What is recorded at every sample instant, in the order of ContinuumRun::advance_and_sample. Totals are per area.
+const std::vector<std::string> columns{"centre_of_mass",   "mass",       "energy",           "body_force_work",
+                                       "collisional_loss", "floor_gain", "dual_energy_gain", "plate_impulse",
+                                       "lid_impulse",      "steps"};
+
+/// Runs `visit(ix, iy, iz, column)` over all cells.
+template <class Visit>
+void for_each_cell(const continuum::Solver& solver, Visit visit) {
+    for (std::int64_t iy = 0; iy < solver.cells_y(); ++iy) {
+        for (std::int64_t ix = 0; ix < solver.cells_x(); ++ix) {
+            const continuum::ColumnView column = solver.column(ix, iy);
+            for (std::int64_t iz = 0; iz < solver.cells_z(); ++iz) visit(ix, iy, iz, column);
+        }
+    }
+}
+
+}  // namespace
+
+ContinuumRun::ContinuumRun(const scene::Scene& scene)
+    : scene_(scene), solver_(scene), sampler_(scene), series_(columns) {}
+
+void ContinuumRun::advance_and_sample() {
+    const Instant now = instant_of(next_, scene_);
+    solver_.advance_to_phase(now.cycle, now.phase);
+    sampler_.sample(solver_, now.cycle, now.phase);
+    double moment = 0.0, total = 0.0;
+    for_each_cell(solver_, [&](auto, auto, std::int64_t iz, const continuum::ColumnView& column) {
+        const double density = column.density[static_cast<std::size_t>(iz)];
+        total += density;
+        moment += density * (static_cast<double>(iz) + 0.5) * solver_.spacing_z();
+    });
+    const double height = scene_.motion.position(now.time_in_cycle(scene_)) + moment / total;
+    const continuum::Ledger l = solver_.ledger();
+    series_.add(next_, now.time(scene_),
+                std::array{height, solver_.mass(), l.energy, l.body_force_work, l.collisional_loss, l.floor_gain,
+                           l.dual_energy_gain, l.plate_impulse, l.lid_impulse, static_cast<double>(solver_.steps())});
+    if (is_frame(now, scene_)) frames_.push_back(frame());
+    ++next_;
+}
+
+ContinuumFrame ContinuumRun::frame() const {
+    ContinuumFrame f;
+    f.sample = next_;
+    const auto nx = solver_.cells_x(), ny = solver_.cells_y(), nz = solver_.cells_z();
+    const double plate_velocity = scene_.motion.velocity(instant_of(next_, scene_).time_in_cycle(scene_));
+    for (auto* field : {&f.density, &f.velocity_x, &f.velocity_y, &f.velocity_z, &f.temperature}) {
+        field->resize(static_cast<std::size_t>(nx * ny * nz));
+    }
+    for_each_cell(solver_, [&](std::int64_t ix, std::int64_t iy, std::int64_t iz, const continuum::ColumnView& column) {
+        const auto to = static_cast<std::size_t>((iz * ny + iy) * nx + ix), from = static_cast<std::size_t>(iz);
+        f.density[to] = column.density[from];
+        f.velocity_x[to] = column.velocity_x[from];
+        f.velocity_y[to] = column.velocity_y[from];
+        f.velocity_z[to] = column.velocity_z[from] + plate_velocity;
+        f.temperature[to] = column.temperature[from];
+    });
+    return f;
+}
+
+void ContinuumRun::save(files::CheckpointWriter& out, const Spent& spent) const {
+    out.put_text("scene", scene::print_scene(scene_));
+    out.put_text("engine", name());
+    out.put("next_sample", next_);
+    out.put("spent", spent);
+    solver_.save(out);
+    sampler_.save(out);
+    series_.save(out, "series/");
+    out.put("frames/count", static_cast<std::int64_t>(frames_.size()));
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        const std::string prefix = fmt::format("frames/{}/", i);
+        out.put(prefix + "sample", frames_[i].sample);
+        out.put(prefix + "density", frames_[i].density);
+        out.put(prefix + "velocity_x", frames_[i].velocity_x);
+        out.put(prefix + "velocity_y", frames_[i].velocity_y);
+        out.put(prefix + "velocity_z", frames_[i].velocity_z);
+        out.put(prefix + "temperature", frames_[i].temperature);
+    }
+}
+
+void ContinuumRun::restore(const files::CheckpointReader& in) {
+    next_ = in.take_one<std::int64_t>("next_sample");
+    solver_.restore(in);
+    sampler_.restore(in);
+    series_.restore(in, "series/");
+    frames_.resize(static_cast<std::size_t>(in.take_one<std::int64_t>("frames/count")));
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        const std::string prefix = fmt::format("frames/{}/", i);
+        frames_[i].sample = in.take_one<std::int64_t>(prefix + "sample");
+        frames_[i].density = in.take<double>(prefix + "density");
+        frames_[i].velocity_x = in.take<double>(prefix + "velocity_x");
+        frames_[i].velocity_y = in.take<double>(prefix + "velocity_y");
+        frames_[i].velocity_z = in.take<double>(prefix + "velocity_z");
+        frames_[i].temperature = in.take<double>(prefix + "temperature");
+    }
+}
+
+void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {
+    const std::filesystem::path aside = path.string() + ".part";
+    files::Hdf5File file(aside, files::Open::create);
+    files::write_provenance(file, {scene::print_scene(scene_), scene_.initial.seed, parent});
+    fields::FieldFile frames(file, path,
+                             {{solver_.cells_x(), solver_.cells_y(), solver_.cells_z()},
+                              {solver_.spacing_x(), solver_.spacing_y(), solver_.spacing_z()}});
+    for (const ContinuumFrame& f : frames_) {
+        const Instant at = instant_of(f.sample, scene_);
+        frames.add_frame(at.time(scene_), at.cycle, at.ft(scene_), scene_.motion.position(at.time_in_cycle(scene_)),
+                         {{"density", f.density},
+                          {"velocity_x", f.velocity_x},
+                          {"velocity_y", f.velocity_y},
+                          {"velocity_z", f.velocity_z},
+                          {"temperature", f.temperature}});
+    }
+    sampler_.moments().write(file, "/profiles");
+    series_.write(file);
+    file.make_group("/run");
+    file.attribute("/run", "wall_seconds", spent.wall);
+    file.attribute("/run", "cpu_seconds", spent.cpu);
+    file.close();
+    std::filesystem::rename(aside, path);
+    frames.write_xdmf();
+}
+
+}  // namespace app

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: MIT
+// One run of the continuum engine with everything measured of it: solver, binning, time series, frames.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/engine_loop.hpp"
+#include "compare/continuum_sampler.hpp"
+#include "continuum/solver.hpp"
+#include "fields/time_series.hpp"
+#include "scene/scene.hpp"
+
+namespace app {
+
+/// Cell fields at one sample instant, arrays (nz, ny, nx).
+struct ContinuumFrame {
+    std::int64_t sample = 0;
+    std::vector<double> density, velocity_x, velocity_y, velocity_z, temperature;  // lab-frame velocity
+};
+
+class ContinuumRun {
+  public:
+    explicit ContinuumRun(const scene::Scene& scene);
+
+    std::string name() const { return "continuum"; }
+    std::int64_t next_sample() const { return next_; }
+    std::int64_t samples() const { return (scene_.sample.settle + scene_.sample.average) * scene_.sample.phases; }
+    std::int64_t phases() const { return scene_.sample.phases; }
+    double work() const { return static_cast<double>(solver_.steps()); }
+    std::string work_unit() const { return "steps/s"; }
+    void advance_and_sample();
+
+    void save(files::CheckpointWriter& out, const Spent& spent) const;
+    void restore(const files::CheckpointReader& in);
+
+    /// continuum.h5 and continuum.xdmf: frames of the last cycle, profiles, observables, provenance.
+    void write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const;
+    std::uint64_t state_hash() const { return solver_.state_hash(); }
+    std::int64_t steps() const { return solver_.steps(); }
+
+  private:
+    ContinuumFrame frame() const;
+
+    scene::Scene scene_;
+    continuum::Solver solver_;
+    compare::ContinuumSampler sampler_;
+    fields::TimeSeries series_;
+    std::vector<ContinuumFrame> frames_;  // of the last cycle, at equal phases
+    std::int64_t next_ = 0;
+};
+
+}  // namespace app

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+#include "app/engine_command.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <cstdio>
+
+#include "app/continuum_run.hpp"
+#include "app/engine_loop.hpp"
+#include "app/exit_codes.hpp"
+#include "app/md_run.hpp"
+#include "app/run_folder.hpp"
+#include "files/atomic_write.hpp"
+#include "files/errors.hpp"
+#include "scene/read_scene.hpp"
+
+namespace app {
+
+namespace {
+
+void print_result(const MdRun& run) {
+    const md::Counters c = run.counters();
+    fmt::print("md: {} pair collisions, {} with the plate, state {:016x}\n", c.pair_collisions, c.plate_collisions,
+               run.state_hash());
+}
+
+void print_result(const ContinuumRun& run) {
+    fmt::print("continuum: {} steps, state {:016x}\n", run.steps(), run.state_hash());
+}
+
+template <class Run>
+int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spent before, const std::string& parent) {
+    catch_signals();
+    EngineLoop<Run> loop(run, files, options, before);
+    try {
+        if (loop.go() == Outcome::stopped) {
+            spdlog::warn("{}: stopped; go on with: shaken {} --resume {}", run.name(), run.name(),
+                         files.folder.string());
+            return exit_code::stopped;
+        }
+        run.write(files.output(), loop.spent(), parent);
+    } catch (...) {
+        loop.finish("failed");
+        throw;
+    }
+    loop.finish("finished");
+    print_result(run);
+    return exit_code::done;
+}
+
+template <class Run>
+int start(const std::string& engine, const EngineOptions& options) {
+    const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+    const EngineFiles files{options.out, engine};
+    if (!options.into_prepared) prepare_folder(files.folder, options.overwrite);
+    const FolderLock lock(files.folder, engine);
+    if (!options.into_prepared) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
+    Run run(scene);
+    return finish(run, files, options, {}, "");
+}
+
+template <class Run>
+int resume(const std::string& engine, const EngineOptions& options) {
+    const EngineFiles files{options.resume, engine};
+    if (!std::filesystem::is_directory(files.folder)) {
+        throw files::NoInput(fmt::format("{}: no such run folder", files.folder.string()));
+    }
+    const FolderLock lock(files.folder, engine);
+    const files::CheckpointReader in(files.checkpoint());
+    if (in.take_text("engine") != engine) {
+        throw files::Damaged(fmt::format("{}: is a checkpoint of {}, not of {}", files.checkpoint().string(),
+                                         in.take_text("engine"), engine));
+    }
+    Run run(scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)"));
+    run.restore(in);
+    if (run.next_sample() == run.samples() && std::filesystem::exists(files.output())) {
+        spdlog::info("{}: {} is complete", engine, files.output().string());
+        return exit_code::done;
+    }
+    return finish(run, files, options, in.take_one<Spent>("spent"), files.checkpoint().string());
+}
+
+template <class Run>
+int start_or_resume(const std::string& engine, const EngineOptions& options) {
+    return options.resume.empty() ? start<Run>(engine, options) : resume<Run>(engine, options);
+}
+
+}  // namespace
+
+int run_md(const EngineOptions& options) { return start_or_resume<MdRun>("md", options); }
+int run_continuum(const EngineOptions& options) { return start_or_resume<ContinuumRun>("continuum", options); }
+
+}  // namespace app

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// Which sample instants are kept as whole frames: equal phases of the last cycle, for pictures and other programs.
+#pragma once
+
+#include <cstdint>
+
+#include "scene/scene.hpp"
+
+namespace app {
+
+inline constexpr std::int64_t frames_per_cycle = 20;
+
+/// A sample instant by its number since the start.
+struct Instant {
+    std::int64_t cycle, phase;
+    double ft(const scene::Scene& scene) const {
+        return static_cast<double>(phase) / static_cast<double>(scene.sample.phases);
+    }
+    double time_in_cycle(const scene::Scene& scene) const { return ft(scene) * scene.motion.period(); }
+    double time(const scene::Scene& scene) const {
+        return static_cast<double>(cycle) * scene.motion.period() + time_in_cycle(scene);
+    }
+};
+
+inline Instant instant_of(std::int64_t sample, const scene::Scene& scene) {
+    return {sample / scene.sample.phases, sample % scene.sample.phases};
+}
+
+inline bool is_frame(const Instant& instant, const scene::Scene& scene) {
+    return instant.cycle == scene.sample.settle + scene.sample.average - 1 &&
+           instant.phase % (scene.sample.phases / frames_per_cycle) == 0;
+}
+
+}  // namespace app

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: MIT
+// The one command. Parses, hands on to a subcommand, and turns what was thrown into an exit code and one sentence.
+#include <hdf5.h>
+#include <spdlog/sinks/stdout_sinks.h>
+#include <spdlog/spdlog.h>
+
+#include <CLI/CLI.hpp>
+#include <Eigen/Core>
+#include <boost/version.hpp>
+#include <cstdio>
+
+#include "app/compare_command.hpp"
+#include "app/engine_command.hpp"
+#include "app/exit_codes.hpp"
+#include "app/run_command.hpp"
+#include "files/errors.hpp"
+#include "scene/errors.hpp"
+#include "scene/read_scene.hpp"
+#include "shaken_version.hpp"
+
+namespace {
+
+using namespace app;
+
+std::string version_text() {
+    return fmt::format(
+        "shaken {} ({})\ncompiler   {}\nflags      {}\nlibraries  HDF5 {}.{}.{}, Eigen {}.{}.{}, Boost {}.{}, fmt {}, "
+        "spdlog {}.{}.{}, CLI11 {}",
+        version::number, version::git_hash, version::compiler, version::compiler_flags, H5_VERS_MAJOR, H5_VERS_MINOR,
+        H5_VERS_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, BOOST_VERSION / 100000,
+        BOOST_VERSION / 100 % 1000, FMT_VERSION, SPDLOG_VER_MAJOR, SPDLOG_VER_MINOR, SPDLOG_VER_PATCH, CLI11_VERSION);
+}
+
+void add_engine_options(CLI::App& command, EngineOptions& options) {
+    auto* scene_file = command.add_option("SCENE", options.scene_file, "scene file (TOML)");
+    auto* out = command.add_option("-o,--out", options.out, "folder for what the run leaves");
+    auto* resume =
+        command.add_option("--resume", options.resume, "go on with the run in this folder, from its checkpoint");
+    command.add_option("--set", options.overrides, "section.key=value, wins over the file; may be given again")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->excludes(resume);
+    command.add_flag("--overwrite", options.overwrite, "replace what an earlier run left in the folder")
+        ->excludes(resume);
+    command
+        .add_option("--max-walltime", options.max_walltime,
+                    "stop with a checkpoint after so many seconds (exit code 75)")
+        ->check(CLI::PositiveNumber);
+    command.add_option("--checkpoint-every", options.checkpoint_every, "seconds between checkpoints")
+        ->check(CLI::PositiveNumber);
+    command.add_flag("--into-prepared", options.into_prepared)->group("");
+    resume->excludes(scene_file)->excludes(out);
+    command.callback([&options] {
+        if (options.resume.empty() && options.scene_file.empty()) throw CLI::RequiredError("SCENE (or --resume DIR)");
+        if (options.resume.empty() && options.out.empty()) throw CLI::RequiredError("--out DIR");
+    });
+}
+
+/// CLI11 has nothing to say of a mistyped subcommand.
+void refuse_unknown_command(const CLI::App& command, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return;
+    std::vector<std::string> known;
+    for (const CLI::App* sub : command.get_subcommands(nullptr)) known.push_back(sub->get_name());
+    const std::string written = argv[1];
+    if (std::find(known.begin(), known.end(), written) != known.end()) return;
+    std::string message = fmt::format("unknown command '{}'; known: {}", written, fmt::join(known, ", "));
+    if (const std::string near = scene::nearest_word(written, known); !near.empty())
+        message += fmt::format("; did you mean {}?", near);
+    throw CLI::ExtrasError(message, std::vector<std::string>{});
+}
+
+int dispatch(int argc, char** argv) {
+    CLI::App command(
+        "Shaken granular layers: event-driven molecular dynamics and granular hydrodynamics, side by side.", "shaken");
+    command.set_version_flag("--version", version_text());
+    command.require_subcommand(1);
+    command.fallthrough();
+    bool quiet = false, verbose = false;
+    command.add_flag("-q,--quiet", quiet, "say nothing but results and errors");
+    command.add_flag("-v,--verbose", verbose, "say more");
+
+    EngineOptions options;
+    std::filesystem::path folder;
+    int code = exit_code::done;
+    auto* run = command.add_subcommand("run", "both engines of a scene at once, then comparison and report");
+    auto* md = command.add_subcommand("md", "the molecular dynamics of a scene");
+    auto* continuum = command.add_subcommand("continuum", "the hydrodynamics of a scene");
+    for (CLI::App* engine : {run, md, continuum}) add_engine_options(*engine, options);
+    auto* compare =
+        command.add_subcommand("compare", "compare what both engines left in a folder: compare.h5, summary.json");
+    auto* report = command.add_subcommand("report", "draw the figures and report.html of a compared folder");
+    for (CLI::App* sub : {compare, report}) sub->add_option("DIR", folder, "run folder")->required();
+    auto* scene_command = command.add_subcommand("scene", "print the resolved scene, or the list of all keys");
+    bool list_keys = false;
+    auto* scene_file = scene_command->add_option("SCENE", options.scene_file, "scene file (TOML)");
+    scene_command->add_option("--set", options.overrides, "section.key=value, wins over the file")
+        ->take_all()
+        ->allow_extra_args(false);
+    scene_command->add_flag("--keys", list_keys, "every key with its unit, range, default and meaning")
+        ->excludes(scene_file);
+
+    try {
+        refuse_unknown_command(command, argc, argv);
+        command.parse(argc, argv);
+        if (*scene_command && !list_keys && options.scene_file.empty()) throw CLI::RequiredError("SCENE (or --keys)");
+    } catch (const CLI::ParseError& error) {
+        if (error.get_exit_code() == 0) return command.exit(error);  // --help, --version
+        fmt::print(stderr, "shaken: {}\nTry: shaken --help\n", error.what());
+        return exit_code::usage;
+    }
+    options.quiet = quiet;
+    spdlog::set_level(quiet ? spdlog::level::warn : verbose ? spdlog::level::debug : spdlog::level::info);
+
+    if (*run) code = run_both(options);
+    if (*md) code = run_md(options);
+    if (*continuum) code = run_continuum(options);
+    if (*compare) code = run_compare(folder);
+    if (*report) code = run_report(folder);
+    if (*scene_command)
+        fmt::print("{}", list_keys ? scene::list_parameters()
+                                   : scene::print_scene(scene::read_scene(options.scene_file, options.overrides)));
+    return code;
+}
+
+int refuse(const std::exception& error, int code) {
+    fmt::print(stderr, "shaken: {}\n", error.what());
+    return code;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    spdlog::set_default_logger(spdlog::stderr_logger_st("shaken"));
+    spdlog::set_pattern("shaken: %v");
+    try {
+        return dispatch(argc, argv);
+    } catch (const scene::SceneError& error) {
+        return refuse(error, exit_code::bad_input);
+    } catch (const scene::NoSceneFile& error) {
+        return refuse(error, exit_code::no_input);
+    } catch (const files::NoInput& error) {
+        return refuse(error, exit_code::no_input);
+    } catch (const files::Damaged& error) {
+        return refuse(error, exit_code::bad_input);
+    } catch (const files::CannotCreate& error) {
+        return refuse(error, exit_code::cannot_create);
+    } catch (const files::WriteFailed& error) {
+        return refuse(error, exit_code::write_failed);
+    } catch (const std::exception& error) {
+        return refuse(error, exit_code::run_failed);
+    }
+}

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: MIT
+#include "app/md_run.hpp"
+
+#include <fmt/format.h>
+
+#include <array>
+#include <numeric>
+
+#include "app/frames.hpp"
+#include "files/provenance.hpp"
+#include "md/h5md.hpp"
+#include "scene/read_scene.hpp"
+
+namespace app {
+
+namespace {
+
+/// What is recorded at every sample instant, in the order of MdRun::advance_and_sample.
+const std::vector<std::string> columns{"centre_of_mass",  "kinetic_energy",   "potential_energy",  "plate_work",
+                                       "ceiling_work",    "collision_loss",   "plate_loss",        "ceiling_loss",
+                                       "momentum_x",      "momentum_y",       "momentum_z",        "plate_impulse",
+                                       "pair_collisions", "plate_collisions", "ceiling_collisions"};
+
+}  // namespace
+
+MdRun::MdRun(const scene::Scene& scene) : scene_(scene), simulation_(scene), sampler_(scene), series_(columns) {}
+
+void MdRun::advance_and_sample() {
+    const Instant now = instant_of(next_, scene_);
+    simulation_.advance_to(now.cycle, now.time_in_cycle(scene_));
+    const md::Snapshot snapshot = simulation_.snapshot();
+    sampler_.sample(snapshot, now.cycle, now.phase);
+    const md::Ledger l = simulation_.ledger();
+    const md::Counters c = simulation_.counters();
+    double height = 0.0;
+    for (const auto& position : snapshot.position) height += position[2];
+    const auto n = [](std::int64_t count) { return static_cast<double>(count); };
+    series_.add(next_, now.time(scene_),
+                std::array{height / n(simulation_.particles()), l.kinetic, l.potential, l.plate_work, l.ceiling_work,
+                           l.collision_loss, l.plate_loss, l.ceiling_loss, l.momentum[0], l.momentum[1], l.momentum[2],
+                           l.plate_impulse, n(c.pair_collisions), n(c.plate_collisions), n(c.ceiling_collisions)});
+    if (is_frame(now, scene_)) frames_.push_back(snapshot);
+    ++next_;
+}
+
+void MdRun::save(files::CheckpointWriter& out, const Spent& spent) const {
+    out.put_text("scene", scene::print_scene(scene_));
+    out.put_text("engine", name());
+    out.put("next_sample", next_);
+    out.put("spent", spent);
+    simulation_.save(out);
+    sampler_.save(out);
+    series_.save(out, "series/");
+    out.put("frames/count", static_cast<std::int64_t>(frames_.size()));
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        out.put(fmt::format("frames/{}/position", i), frames_[i].position);
+        out.put(fmt::format("frames/{}/velocity", i), frames_[i].velocity);
+        out.put(fmt::format("frames/{}/cycle", i), frames_[i].cycle);
+        out.put(fmt::format("frames/{}/time_in_cycle", i), frames_[i].time_in_cycle);
+    }
+}
+
+void MdRun::restore(const files::CheckpointReader& in) {
+    next_ = in.take_one<std::int64_t>("next_sample");
+    simulation_.restore(in);
+    sampler_.restore(in);
+    series_.restore(in, "series/");
+    frames_.resize(static_cast<std::size_t>(in.take_one<std::int64_t>("frames/count")));
+    for (std::size_t i = 0; i < frames_.size(); ++i) {
+        frames_[i].position = in.take<std::array<double, 3>>(fmt::format("frames/{}/position", i));
+        frames_[i].velocity = in.take<std::array<double, 3>>(fmt::format("frames/{}/velocity", i));
+        frames_[i].cycle = in.take_one<std::int64_t>(fmt::format("frames/{}/cycle", i));
+        frames_[i].time_in_cycle = in.take_one<double>(fmt::format("frames/{}/time_in_cycle", i));
+    }
+}
+
+void MdRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {
+    const std::filesystem::path aside = path.string() + ".part";
+    const md::Box box{scene_.box.x, scene_.box.y, scene_.box.ceiling, false, scene_.motion};
+    md::H5mdWriter writer(aside, box, {scene::print_scene(scene_), scene_.md.seed, parent});
+    std::vector<double> phases;
+    for (const md::Snapshot& frame : frames_) {
+        phases.push_back(frame.time_in_cycle / scene_.motion.period());
+        const double time = static_cast<double>(frame.cycle) * scene_.motion.period() + frame.time_in_cycle;
+        const double step = (static_cast<double>(frame.cycle) + phases.back()) * static_cast<double>(this->phases());
+        writer.append(frame, std::llround(step), time);
+    }
+    files::Hdf5File& file = writer.file();
+    file.write("/particles/all/phase", phases);
+    sampler_.moments().write(file, "/profiles");
+    series_.write(file);
+    file.make_group("/run");
+    file.attribute("/run", "wall_seconds", spent.wall);
+    file.attribute("/run", "cpu_seconds", spent.cpu);
+    writer.close();
+    std::filesystem::rename(aside, path);
+}
+
+}  // namespace app

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: MIT
+// One run of the MD engine with everything measured of it: engine, binning, time series, frames.
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "app/engine_loop.hpp"
+#include "compare/md_sampler.hpp"
+#include "fields/time_series.hpp"
+#include "md/simulation.hpp"
+#include "scene/scene.hpp"
+
+namespace app {
+
+class MdRun {
+  public:
+    explicit MdRun(const scene::Scene& scene);
+
+    std::string name() const { return "md"; }
+    std::int64_t next_sample() const { return next_; }
+    std::int64_t samples() const { return (scene_.sample.settle + scene_.sample.average) * scene_.sample.phases; }
+    std::int64_t phases() const { return scene_.sample.phases; }
+    double work() const { return static_cast<double>(simulation_.counters().pair_collisions); }
+    std::string work_unit() const { return "collisions/s"; }
+    void advance_and_sample();
+
+    void save(files::CheckpointWriter& out, const Spent& spent) const;
+    void restore(const files::CheckpointReader& in);
+
+    /// md.h5: H5MD frames of the last cycle, profiles, observables, provenance. Written aside and renamed.
+    void write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const;
+    std::uint64_t state_hash() const { return simulation_.state_hash(); }
+    md::Counters counters() const { return simulation_.counters(); }
+
+  private:
+    scene::Scene scene_;
+    md::Simulation simulation_;
+    compare::MdSampler sampler_;
+    fields::TimeSeries series_;
+    std::vector<md::Snapshot> frames_;  // of the last cycle, at equal phases
+    std::int64_t next_ = 0;
+};
+
+}  // namespace app

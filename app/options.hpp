@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: MIT
+// What the subcommands that run an engine are told on the command line.
+#pragma once
+
+#include <filesystem>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace app {
+
+struct EngineOptions {
+    std::filesystem::path scene_file;
+    std::vector<std::string> overrides;  // --set section.key=value
+    std::filesystem::path out;
+    std::filesystem::path resume;  // folder of a run to go on with, in place of scene_file and out
+    bool overwrite = false;
+    bool into_prepared = false;  // the caller has prepared the folder and written scene.toml
+    bool quiet = false;
+    double max_walltime = std::numeric_limits<double>::infinity();  // seconds
+    double checkpoint_every = 300.0;                                // seconds of wall time
+};
+
+}  // namespace app

@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: MIT
+#include "app/run_command.hpp"
+
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <array>
+#include <csignal>
+#include <fstream>
+#include <sstream>
+#include <thread>
+
+#include "app/child_process.hpp"
+#include "app/compare_command.hpp"
+#include "app/exit_codes.hpp"
+#include "app/progress.hpp"
+#include "app/run_folder.hpp"
+#include "app/signals.hpp"
+#include "files/atomic_write.hpp"
+#include "scene/read_scene.hpp"
+
+namespace app {
+
+namespace {
+
+Status status_of(const EngineFiles& files) {
+    std::ostringstream text;
+    text << std::ifstream(files.status()).rdbuf();
+    try {
+        return Status::from_json(text.str());
+    } catch (const std::exception&) {
+        Status starting;
+        starting.engine = files.engine;
+        starting.remaining = HUGE_VAL;
+        return starting;
+    }
+}
+
+std::vector<std::string> child_arguments(const EngineFiles& files, const EngineOptions& options) {
+    std::vector<std::string> arguments{files.engine, "--quiet"};
+    if (std::filesystem::exists(files.checkpoint())) {
+        arguments.insert(arguments.end(), {"--resume", files.folder.string()});
+    } else {
+        arguments.insert(arguments.end(),
+                         {(files.folder / "scene.toml").string(), "--out", files.folder.string(), "--into-prepared"});
+    }
+    arguments.insert(arguments.end(), {"--max-walltime", fmt::format("{}", options.max_walltime), "--checkpoint-every",
+                                       fmt::format("{}", options.checkpoint_every)});
+    return arguments;
+}
+
+/// Waits for both; passes on signals; when one fails, asks the other to stop with a checkpoint.
+std::array<int, 2> wait_for(std::array<ChildProcess, 2>& children, const std::array<EngineFiles, 2>& files,
+                            bool quiet) {
+    ProgressDisplay display(quiet);
+    bool told_to_stop = false;
+    const auto tell = [&](int number) {
+        for (const ChildProcess& child : children) child.signal(number);
+    };
+    const auto statuses = [&] { return std::vector<Status>{status_of(files[0]), status_of(files[1])}; };
+    for (;;) {
+        const std::array<std::optional<int>, 2> codes{children[0].poll(), children[1].poll()};
+        const bool failed = codes[0].value_or(0) != 0 || codes[1].value_or(0) != 0;
+        if ((failed || stop_requested()) && !told_to_stop) {
+            tell(SIGTERM);
+            told_to_stop = true;
+        }
+        if (take_checkpoint_request()) tell(SIGUSR1);
+        if (codes[0] && codes[1]) {
+            display.finish(statuses());
+            return {*codes[0], *codes[1]};
+        }
+        if (display.is_due()) display.draw(statuses());
+        std::this_thread::sleep_for(std::chrono::milliseconds(50));
+    }
+}
+
+}  // namespace
+
+int run_both(const EngineOptions& options) {
+    const std::filesystem::path folder = options.resume.empty() ? options.out : options.resume;
+    if (options.resume.empty()) {
+        const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+        prepare_folder(folder, options.overwrite);
+        files::write_atomically(folder / "scene.toml", scene::print_scene(scene));
+    } else {
+        scene::read_scene(folder / "scene.toml");
+    }
+    const FolderLock lock(folder, "run");
+    catch_signals();
+    const std::array<EngineFiles, 2> files{EngineFiles{folder, "md"}, EngineFiles{folder, "continuum"}};
+    const std::string self = own_path().string();
+    std::array<ChildProcess, 2> children{ChildProcess(self, child_arguments(files[0], options)),
+                                         ChildProcess(self, child_arguments(files[1], options))};
+    const std::array<int, 2> codes = wait_for(children, files, options.quiet);
+
+    for (std::size_t i = 0; i < 2; ++i) {
+        if (codes[i] != exit_code::done && codes[i] != exit_code::stopped) {
+            spdlog::error("{} failed with exit code {}; what the other engine wrote is in {}", files[i].engine,
+                          codes[i], folder.string());
+            return codes[i];
+        }
+    }
+    if (codes[0] == exit_code::stopped || codes[1] == exit_code::stopped) {
+        spdlog::warn("stopped; go on with: shaken run --resume {}", folder.string());
+        return exit_code::stopped;
+    }
+    run_compare(folder);
+    run_report(folder);
+    spdlog::info("the report is {}", (folder / "report.html").string());
+    return exit_code::done;
+}
+
+}  // namespace app

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+#include "app/run_folder.hpp"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <set>
+
+#include "files/errors.hpp"
+
+namespace app {
+
+namespace {
+
+/// What a run leaves in its folder, and so what --overwrite may remove.
+const std::set<std::string> own_files{"scene.toml",   "md.h5",          "md.checkpoint",        "md.status.json",
+                                      "continuum.h5", "continuum.xdmf", "continuum.checkpoint", "continuum.status.json",
+                                      "compare.h5",   "summary.json",   "report.html",          "figures"};
+
+bool is_lock(const std::string& name) { return name.starts_with(".lock."); }
+
+}  // namespace
+
+void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
+    std::error_code error;
+    if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
+        throw files::CannotCreate(fmt::format("{}: is a file, not a folder", folder.string()));
+    }
+    std::filesystem::create_directories(folder, error);
+    if (error) throw files::CannotCreate(fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+    for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+        const std::string name = entry.path().filename().string();
+        if (is_lock(name)) continue;
+        if (!overwrite) {
+            throw files::CannotCreate(fmt::format("{}: holds {} and perhaps more; give another folder, or --overwrite",
+                                                  folder.string(), name));
+        }
+        if (own_files.contains(name)) std::filesystem::remove_all(entry.path(), error);
+    }
+    if (::access(folder.c_str(), W_OK | X_OK) != 0) {
+        throw files::CannotCreate(fmt::format("{}: cannot be written into: {}", folder.string(), std::strerror(errno)));
+    }
+}
+
+FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& name)
+    : path_(folder / (".lock." + name)) {
+    descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
+    if (descriptor_ < 0) {
+        throw files::CannotCreate(fmt::format("{}: cannot be written into: {}", folder.string(), std::strerror(errno)));
+    }
+    if (::flock(descriptor_, LOCK_EX | LOCK_NB) != 0) {
+        ::close(descriptor_);
+        throw files::CannotCreate(fmt::format("{}: another run of {} is at work there", folder.string(), name));
+    }
+}
+
+FolderLock::~FolderLock() {
+    ::unlink(path_.c_str());
+    ::close(descriptor_);
+}
+
+}  // namespace app
