@@ -21,7 +21,8 @@ struct ColumnView {
 };
 
 /// Totals per horizontal area, since the start. Energies are in the frame of the plate:
-/// energy = initial_energy + body_force_work - collisional_loss + floor_gain + dual_energy_gain, to round-off.
+/// energy = initial_energy + body_force_work - collisional_loss + floor_gain + dual_energy_gain + boundary_gain, to
+/// round-off.
 struct Ledger {
     double energy = 0.0;  // 3/2 n T + n u^2 / 2, now
     double initial_energy = 0.0;
@@ -29,6 +30,7 @@ struct Ledger {
     double collisional_loss = 0.0;  // the sink gamma
     double floor_gain = 0.0;        // heat added where the temperature met its floor
     double dual_energy_gain = 0.0;  // difference where the internal energy equation is trusted over the total energy
+    double boundary_gain = 0.0;     // through heated walls and open ends
     double plate_impulse = 0.0;     // integral over time of the normal stress on the plate
     double lid_impulse = 0.0;       // the same on the lid
 };

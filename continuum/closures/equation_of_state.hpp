@@ -17,6 +17,7 @@ class EquationOfState {
     };
     using Law = Compressibility (*)(double volume_fraction, double restitution);
 
+    EquationOfState() = default;
     EquationOfState(Law law, double restitution, double packing)
         : law_(law), restitution_(restitution), packing_(packing) {}
 
@@ -30,14 +31,17 @@ class EquationOfState {
     double packing_limit() const { return packing_; }
 
   private:
-    Law law_;
-    double restitution_;
-    double packing_;
+    Law law_ = nullptr;
+    double restitution_ = 1.0;
+    double packing_ = 0.65;
 };
 
 /// What the scene's [continuum] closure, pair_correlation and restitution say; throws scene::SceneError for a name
 /// that is not in the table.
 EquationOfState make_equation_of_state(const scene::Scene& scene);
+
+/// The same from a pair correlation and the restitution of the pressure.
+EquationOfState make_equation_of_state(const scene::Choice& pair_correlation, double restitution);
 
 /// lambda = sqrt(pi/8) / (n pi sigma^2), in sigma; density n in particles per sigma^3.
 double mean_free_path(double density);

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// What a column ends in, below and above, in the frame of the plate. The moving plate, the lid that moves with it and a
+// piston (in its own frame) are all a wall at rest. To add a boundary: its ghosts in a header beside this one, a line
+// in fill_ghosts and, if it conducts, its coupling in diffusion.cpp.
+#pragma once
+
+#include <optional>
+
+namespace continuum {
+
+enum class End {
+    wall,      // u_z = 0, no shear stress, no heat unless a temperature is given
+    open,      // nothing changes across it: for flows whose waves have not reached the end
+    periodic,  // both ends or none
+};
+
+struct Boundary {
+    End end = End::wall;
+    std::optional<double> temperature;  // of a heated wall, in g sigma
+};
+
+struct Boundaries {
+    Boundary lower, upper;
+};
+
+}  // namespace continuum

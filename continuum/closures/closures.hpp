@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: MIT
+// The closures there are. To add one: a header beside these, and its type in a list below.
+#pragma once
+
+#include "continuum/choice.hpp"
+#include "continuum/closures/carnahan_starling.hpp"
+#include "continuum/closures/goldshtein.hpp"
+#include "continuum/closures/jenkins_richman.hpp"
+
+namespace continuum {
+
+using PairCorrelations = Choices<Goldshtein, CarnahanStarling>;
+using Closures = Choices<JenkinsRichman>;
+
+}  // namespace continuum

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: MIT
+#include "continuum/initial_state.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include "continuum/closures/pressure.hpp"
+#include "continuum/kernels.hpp"
+#include "scene/errors.hpp"
+
+namespace continuum {
+
+namespace {
+
+Grid make_grid(const scene::Scene& scene) {
+    const int dimension = resolve_dimension(scene);
+    const scene::Continuum& c = scene.continuum;
+    const auto cells = [](double length, double spacing) {
+        return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::llround(length / spacing)));
+    };
+    Grid grid;
+    grid.nz = cells(c.lid, c.spacing);
+    grid.dz = c.lid / static_cast<double>(grid.nz);
+    const bool along_x = dimension == 3 || (dimension == 2 && scene.box.x >= scene.box.y);
+    const bool along_y = dimension == 3 || (dimension == 2 && !along_x);
+    grid.nx = along_x ? cells(scene.box.x, c.spacing_horizontal) : 1;
+    grid.ny = along_y ? cells(scene.box.y, c.spacing_horizontal) : 1;
+    grid.dx = scene.box.x / static_cast<double>(grid.nx);
+    grid.dy = scene.box.y / static_cast<double>(grid.ny);
+    if (grid.nz < 16)
+        throw scene::SceneError(
+            {}, fmt::format("continuum.lid / continuum.spacing gives {} cells; at least 16 are needed", grid.nz));
+    return grid;
+}
+
+/// One factor a column, mean 1. The generator's 53 upper bits make the number, so it is the same everywhere.
+std::vector<double> column_factors(const Grid& grid, double noise, std::uint64_t seed) {
+    std::vector<double> factors(static_cast<std::size_t>(grid.columns()), 1.0);
+    if (noise == 0.0 || grid.columns() == 1) return factors;
+    std::mt19937_64 engine(seed);
+    double sum = 0.0;
+    for (double& factor : factors) {
+        const double uniform = static_cast<double>(engine() >> 11) * 0x1p-53;
+        factor = 1.0 + noise * (2.0 * uniform - 1.0);
+        sum += factor;
+    }
+    for (double& factor : factors) factor *= static_cast<double>(factors.size()) / sum;
+    return factors;
+}
+
+}  // namespace
+
+int resolve_dimension(const scene::Scene& scene) {
+    const scene::Choice& choice = scene.continuum.dimension;
+    if (choice.name == "1" || choice.name == "2" || choice.name == "3") return choice.name[0] - '0';
+    if (choice.name != "auto") throw scene::unknown_choice("continuum.dimension", choice, {"auto", "1", "2", "3"});
+    if (scene.initial.noise == 0.0) return 1;
+    return std::min(scene.box.x, scene.box.y) < 2.0 * scene.depth ? 2 : 3;
+}
+
+Setup make_setup(const scene::Scene& scene) {
+    const Grid grid = make_grid(scene);
+    Setup setup(grid);
+    setup.choices = scene.continuum;
+    setup.motion = scene.motion;
+    setup.gravity = 1.0;
+    setup.sink = sink_restitution(scene);
+    setup.restitution = pressure_restitution(scene);
+    setup.floor_temperature = scene.continuum.floor_temperature;
+
+    const double packing = choose_kernels(scene.continuum).packing;
+    const double mean_density = scene.number_per_area() / scene.continuum.lid;
+    const double floor = scene.continuum.floor_density * mean_density;
+    const double density = scene.initial.volume_fraction / sphere_volume;
+    const std::vector<double> factors = column_factors(grid, scene.initial.noise, scene.initial.seed);
+    const double densest = density * *std::max_element(factors.begin(), factors.end());
+    if (densest * sphere_volume >= packing)
+        throw scene::SceneError(
+            {}, fmt::format("initial.volume_fraction = {} (with noise {}) is not below {}, where {} packs",
+                            scene.initial.volume_fraction, scene.initial.noise, packing,
+                            scene.continuum.pair_correlation.name));
+    const double height = scene.number_per_area() / density;
+    if (height > scene.continuum.lid)
+        throw scene::SceneError(
+            {}, fmt::format("the layer starts {:.4g} high and does not fit below continuum.lid = {}", height,
+                            scene.continuum.lid));
+    for (std::int64_t column = 0; column < grid.columns(); ++column) {
+        const double factor = factors[static_cast<std::size_t>(column)];
+        for (std::int64_t iz = 0; iz < grid.nz; ++iz) {
+            const double filled = std::clamp(height / grid.dz - static_cast<double>(iz), 0.0, 1.0);
+            const auto i = static_cast<std::size_t>(grid.first(column) + iz);
+            setup.flow.density[i] = std::max(factor * filled * density, floor);
+            setup.flow.temperature[i] = scene.initial.temperature;
+        }
+    }
+    return setup;
+}
+
+}  // namespace continuum

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: MIT
+// From a scene to the setup of a flow: grid, dimension, and the flat layer it starts as.
+#pragma once
+
+#include "continuum/setup.hpp"
+#include "scene/scene.hpp"
+
+namespace continuum {
+
+/// 1, 2 or 3 as the scene's [continuum] dimension says. "auto": 1 if the layer starts uniform in x and y, 2 if one
+/// side of the box is shorter than two depths (no wave fits along it: the shortest are four depths long), 3 otherwise.
+/// Throws scene::SceneError for another word.
+int resolve_dimension(const scene::Scene& scene);
+
+/// A flat layer at rest on the plate at its lowest point: [initial] volume_fraction up to the height that holds the
+/// particles (the topmost cell takes the rest), the density floor above, one temperature throughout. With noise each
+/// column's density is multiplied by 1 + noise * (uniform in [-1, 1)), the mean kept.
+/// Throws scene::SceneError where the layer does not fit below the lid or is denser than the pair correlation packs.
+Setup make_setup(const scene::Scene& scene);
+
+}  // namespace continuum

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: MIT
+// The schemes there are: a reconstruction and the time integrator that goes with it. To add one: its header beside
+// these, and a struct with its name in the list.
+#pragma once
+
+#include "continuum/choice.hpp"
+#include "continuum/reconstruct/limiters.hpp"
+#include "continuum/reconstruct/muscl.hpp"
+#include "continuum/time_integrator.hpp"
+
+namespace continuum {
+
+/// Second order in space and time.
+struct SchemeMuscl {
+    static constexpr std::string_view name = "muscl";
+    static constexpr std::span<const Stage> stages = ssp_rk2;
+
+    template <class Use>
+    static bool with_limiter(const scene::Choice& limiter, const Use& use) {
+        return choose(Limiters{}, "continuum.limiter", limiter, [&](auto l) { return use(Muscl<decltype(l)>{}); });
+    }
+};
+
+using Schemes = Choices<SchemeMuscl>;
+
+}  // namespace continuum

@@ -1,0 +1,151 @@
+// SPDX-License-Identifier: MIT
+// The implicit and the exact part of a step: diffusion along the columns, cooling in the cells.
+#include <cmath>
+
+#include "continuum/closures/pressure.hpp"
+#include "continuum/diffusion_solve.hpp"
+#include "continuum/evolution.hpp"
+
+namespace continuum {
+
+namespace {
+
+// Rows of the workspace that diffusion and cooling share.
+TransportArrays transport_rows(Workspace& work) {
+    return {work.row(0), work.row(1), work.row(2), work.row(3), work.row(4)};
+}
+
+}  // namespace
+
+void Evolution::relax(double dt, bool cooling_first) {
+    const bool cools = !(dissipation_.is_constant() && dissipation_.constant() == 0.0);
+    const std::int64_t nz = grid().nz;
+    for (std::int64_t column = 0; column < grid().columns(); ++column) {
+        if (!cools && !kernels_.viscous) return;
+        Workspace& work = work_[0];
+        const std::int64_t first = grid().first(column);
+        // All coefficients go with sqrt(T); they are kept at T = 1, as density does not change here and T does.
+        double* ones = work.row(5);
+        for (std::int64_t i = 0; i < nz; ++i) ones[i] = 1.0;
+        kernels_.transport(flow().density.data() + first, ones, transport_rows(work), nz, constants_);
+        if (cools && cooling_first) cool(column, dt, work);
+        if (kernels_.viscous) diffuse(column, dt, work);
+        if (cools && !cooling_first) cool(column, dt, work);
+    }
+}
+
+void Evolution::cool(std::int64_t column, double dt, Workspace& work) {
+    const std::int64_t nz = grid().nz, first = grid().first(column);
+    const double* density = flow().density.data() + first;
+    double* __restrict temperature = setup_.flow.temperature.data() + first;
+    const double* rate = transport_rows(work).cooling;
+    const double floor = constants_.floor_temperature;
+    double lost = 0.0, floored = 0.0;
+    // d(T^(-1/2))/dt = rate D / 2 while D stays the same: exact for constant restitution, and second order in dt with D
+    // taken at the middle of the step for the others.
+    const auto cooled = [](double t, double half_rate) {
+        const double root = 1.0 + half_rate * std::sqrt(t);
+        return t / (root * root);
+    };
+    if (dissipation_.is_constant()) {
+        const double half_step = 0.5 * dt * dissipation_.constant();
+#pragma omp simd reduction(+ : lost, floored)
+        for (std::int64_t i = 0; i < nz; ++i) {
+            const double new_temperature = cooled(temperature[i], half_step * rate[i]);
+            const double kept = new_temperature > floor ? new_temperature : floor;
+            lost += density[i] * (temperature[i] - new_temperature);
+            floored += density[i] * (kept - new_temperature);
+            temperature[i] = kept;
+        }
+    } else {
+        const double* table = dissipation_.table();
+#pragma omp simd reduction(+ : lost, floored)
+        for (std::int64_t i = 0; i < nz; ++i) {
+            const double t = temperature[i];
+            const double middle = cooled(t, 0.25 * dt * rate[i] * EffectiveDissipation::interpolate(table, t));
+            const double new_temperature =
+                cooled(t, 0.5 * dt * rate[i] * EffectiveDissipation::interpolate(table, middle));
+            const double kept = new_temperature > floor ? new_temperature : floor;
+            lost += density[i] * (t - new_temperature);
+            floored += density[i] * (kept - new_temperature);
+            temperature[i] = kept;
+        }
+    }
+    Ledger& books = books_[static_cast<std::size_t>(column)];
+    books.collisional_loss += 1.5 * grid().dz * lost;
+    books.floor_gain += 1.5 * grid().dz * floored;
+}
+
+//  | cell 0 | cell 1 | ...     couplings w[0] w[1] ... w[nz] live on the faces; w[f] = dt coefficient / dz^2, the
+//  w0       w1       w2        coefficient being the mean of its two cells. At a wall it is 2 dt coefficient / dz^2,
+//                              the wall standing half a cell away.
+void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
+    const std::int64_t nz = grid().nz, first = grid().first(column);
+    const double dz = grid().dz;
+    const double* density = flow().density.data() + first;
+    double* temperature = setup_.flow.temperature.data() + first;
+    const TransportArrays reduced = transport_rows(work);
+    double *axial = work.row(6), *shear = work.row(7), *conduction = work.row(8);
+    double *coupling = work.row(9), *values = work.row(10), *heat = work.row(11), *ratio = work.row(12);
+    const double scale = 0.5 * dt / (dz * dz);
+#pragma omp simd
+    for (std::int64_t i = 0; i < nz; ++i) {
+        const double scaled_root = scale * std::sqrt(temperature[i]);
+        axial[i] = scaled_root * (reduced.bulk[i] + (4.0 / 3.0) * reduced.shear[i]);
+        shear[i] = scaled_root * reduced.shear[i];
+        conduction[i] = scaled_root * reduced.conductivity[i];
+        heat[i] = 0.0;
+    }
+    const auto couple = [&](const double* coefficient, bool lower_wall, bool upper_wall) {
+#pragma omp simd
+        for (std::int64_t f = 1; f < nz; ++f) coupling[f] = coefficient[f - 1] + coefficient[f];
+        coupling[0] = lower_wall ? 4.0 * coefficient[0] : 0.0;
+        coupling[nz] = upper_wall ? 4.0 * coefficient[nz - 1] : 0.0;
+    };
+    // Momentum, and the kinetic energy it loses: w (du)^2 at each face, half to either cell, and n (u' - u)^2 / 2 in
+    // each cell. Both are positive, and with u' they add up to the loss exactly.
+    const auto diffuse_velocity = [&](double* velocity) {
+        for (std::int64_t i = 0; i < nz; ++i) values[i] = density[i] * velocity[i];
+        solve_diffusion(nz, density, coupling, values, ratio);
+#pragma omp simd
+        for (std::int64_t i = 0; i < nz; ++i) {
+            const double below = values[i] - (i > 0 ? values[i - 1] : values[0]);
+            const double above = (i < nz - 1 ? values[i + 1] : values[nz - 1]) - values[i];
+            const double change = values[i] - velocity[i];
+            heat[i] += 0.5 * ((coupling[i] * (below * below) + coupling[i + 1] * (above * above)) +
+                              density[i] * (change * change));
+        }
+        heat[0] += coupling[0] * (values[0] * values[0]);
+        heat[nz - 1] += coupling[nz] * (values[nz - 1] * values[nz - 1]);
+        for (std::int64_t i = 0; i < nz; ++i) velocity[i] = values[i];
+    };
+    const Boundaries& ends = setup_.boundaries;
+    Ledger& books = books_[static_cast<std::size_t>(column)];
+    couple(axial, ends.lower.end == End::wall, ends.upper.end == End::wall);
+    diffuse_velocity(setup_.flow.velocity_z.data() + first);
+    books.plate_impulse -= dz * coupling[0] * values[0];
+    books.lid_impulse += dz * coupling[nz] * values[nz - 1];
+    if (transverse_) {
+        couple(shear, false, false);
+        diffuse_velocity(setup_.flow.velocity_x.data() + first);
+        diffuse_velocity(setup_.flow.velocity_y.data() + first);
+    }
+
+    const double lower_temperature = ends.lower.temperature.value_or(0.0);
+    const double upper_temperature = ends.upper.temperature.value_or(0.0);
+    couple(conduction, ends.lower.temperature.has_value(), ends.upper.temperature.has_value());
+    double* capacity = heat;
+#pragma omp simd
+    for (std::int64_t i = 0; i < nz; ++i) {
+        values[i] = 1.5 * density[i] * temperature[i] + heat[i];
+        capacity[i] = 1.5 * density[i];
+    }
+    values[0] += coupling[0] * lower_temperature;
+    values[nz - 1] += coupling[nz] * upper_temperature;
+    solve_diffusion(nz, capacity, coupling, values, ratio);
+    books.boundary_gain +=
+        dz * (coupling[0] * (lower_temperature - values[0]) + coupling[nz] * (upper_temperature - values[nz - 1]));
+    for (std::int64_t i = 0; i < nz; ++i) temperature[i] = values[i];
+}
+
+}  // namespace continuum

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: MIT
+#include "continuum/solver.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
+#include "continuum/errors.hpp"
+#include "continuum/evolution.hpp"
+#include "continuum/initial_state.hpp"
+#include "files/errors.hpp"
+
+namespace continuum {
+
+struct Solver::Parts {
+    explicit Parts(const scene::Scene& scene)
+        : evolution(make_setup(scene)), period(scene.motion.period()), phases(scene.sample.phases) {}
+
+    double instant(std::int64_t at_phase) const {
+        return period * (static_cast<double>(at_phase) / static_cast<double>(phases));
+    }
+
+    /// From one sample instant to the next, in equal steps as far as the waves allow.
+    void advance_one_phase() {
+        const double from = instant(phase), interval = instant(phase + 1) - from;
+        double done = 0.0;
+        while (done < interval) {
+            const double left = interval - done;
+            const double pieces = std::ceil(left / evolution.longest_step() * (1.0 - 1e-12));
+            if (!(pieces < most_steps_a_phase))
+                throw RunFailed(fmt::format(
+                    "continuum: the step fell below {:.2g} of a sample interval at cycle {}, time {:.6g} in the cycle",
+                    1.0 / most_steps_a_phase, cycle, from + done));
+            const double dt = left / pieces;
+            try {
+                evolution.step(from + done, dt);
+            } catch (const RunFailed& failure) {
+                throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle));
+            }
+            done = pieces <= 1.0 ? interval : done + dt;
+        }
+        if (++phase == phases) {
+            phase = 0;
+            ++cycle;
+        }
+    }
+
+    static constexpr double most_steps_a_phase = 1e6;
+
+    Evolution evolution;
+    double period;
+    std::int64_t phases;
+    std::int64_t cycle = 0, phase = 0;
+};
+
+Solver::Solver(const scene::Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
+Solver::~Solver() = default;
+Solver::Solver(Solver&&) noexcept = default;
+Solver& Solver::operator=(Solver&&) noexcept = default;
+
+void Solver::advance_to_phase(std::int64_t cycle, std::int64_t phase) {
+    const auto reached = [&] { return parts_->cycle * parts_->phases + parts_->phase; };
+    const std::int64_t wanted = cycle * parts_->phases + phase;
+    if (phase < 0 || phase >= parts_->phases || wanted < reached())
+        throw std::logic_error(fmt::format("continuum: cycle {} phase {} does not lie ahead of cycle {} phase {}",
+                                           cycle, phase, parts_->cycle, parts_->phase));
+    while (reached() < wanted) parts_->advance_one_phase();
+}
+
+std::int64_t Solver::cycle() const { return parts_->cycle; }
+std::int64_t Solver::phase() const { return parts_->phase; }
+double Solver::time_in_cycle() const { return parts_->instant(parts_->phase); }
+
+std::int64_t Solver::cells_x() const { return parts_->evolution.grid().nx; }
+std::int64_t Solver::cells_y() const { return parts_->evolution.grid().ny; }
+std::int64_t Solver::cells_z() const { return parts_->evolution.grid().nz; }
+double Solver::spacing_x() const { return parts_->evolution.grid().dx; }
+double Solver::spacing_y() const { return parts_->evolution.grid().dy; }
+double Solver::spacing_z() const { return parts_->evolution.grid().dz; }
+
+ColumnView Solver::column(std::int64_t ix, std::int64_t iy) const {
+    const Grid& grid = parts_->evolution.grid();
+    const Flow& flow = parts_->evolution.flow();
+    const auto inside = [&](const std::vector<double>& field) {
+        return std::span<const double>(field.data() + grid.first(grid.column(ix, iy)),
+                                       static_cast<std::size_t>(grid.nz));
+    };
+    return {inside(flow.density), inside(flow.velocity_x), inside(flow.velocity_y), inside(flow.velocity_z),
+            inside(flow.temperature)};
+}
+
+double Solver::mass() const { return parts_->evolution.mass(); }
+std::int64_t Solver::steps() const { return parts_->evolution.steps(); }
+Ledger Solver::ledger() const { return parts_->evolution.ledger(); }
+
+void Solver::save(files::CheckpointWriter& out) const {
+    parts_->evolution.save(out);
+    out.put("continuum/cycle", parts_->cycle);
+    out.put("continuum/phase", parts_->phase);
+    out.put("continuum/phases", parts_->phases);
+}
+
+void Solver::restore(const files::CheckpointReader& in) {
+    const Grid& grid = parts_->evolution.grid();
+    if (in.take<std::int64_t>("continuum/cells") != std::vector<std::int64_t>{grid.nx, grid.ny, grid.nz} ||
+        in.take_one<std::int64_t>("continuum/phases") != parts_->phases)
+        throw files::Damaged(
+            "the checkpoint was written for another grid or another number of phases than the scene's");
+    parts_->evolution.restore(in);
+    parts_->cycle = in.take_one<std::int64_t>("continuum/cycle");
+    parts_->phase = in.take_one<std::int64_t>("continuum/phase");
+}
+
+std::uint64_t Solver::state_hash() const {
+    files::CheckpointWriter state;
+    save(state);
+    return state.hash();
+}
+
+}  // namespace continuum
