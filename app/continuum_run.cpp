@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/continuum_run.hpp"
-
 #include <fmt/format.h>
+
+#include "app/continuum_run.hpp"
 
 #include <array>
 

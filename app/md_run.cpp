@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "app/md_run.hpp"
-
 #include <fmt/format.h>
+
+#include "app/md_run.hpp"
 
 #include <array>
 #include <numeric>

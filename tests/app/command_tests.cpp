@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: MIT
+// The command from outside: what it says, what it leaves, how it ends.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+using Catch::Contains;
+using support::shaken;
+using support::small_scene;
+
+TEST_CASE("usage errors end with 2 and name what is meant") {
+    CHECK(shaken("").code == 2);
+    CHECK_THAT(shaken("comapre x").text, Contains("unknown command 'comapre'") && Contains("did you mean compare?"));
+    CHECK(shaken("comapre x").code == 2);
+    CHECK(shaken("md").code == 2);
+    CHECK(shaken(std::string("md ") + small_scene).code == 2);
+    CHECK(shaken(std::string("md ") + small_scene + " --out x --max-walltime never").code == 2);
+    CHECK(shaken("scene").code == 2);
+    CHECK(shaken("--help").code == 0);
+}
+
+TEST_CASE("the version names commit, compiler, flags and libraries") {
+    const auto result = shaken("--version");
+    CHECK(result.code == 0);
+    CHECK_THAT(result.text, Contains("shaken 0") && Contains("GNU") && Contains("-O") && Contains("HDF5"));
+}
+
+TEST_CASE("a missing scene ends with 66, a bad one with 65") {
+    CHECK(shaken("scene no_such.toml").code == 66);
+    const auto bad = shaken(std::string("scene ") + small_scene + " --set particles.restitution=1.3");
+    CHECK(bad.code == 65);
+    CHECK_THAT(bad.text, Contains("particles.restitution = 1.3 is outside [0, 1]"));
+}
+
+TEST_CASE("the resolved scene is a scene, and the keys are listed with units and ranges") {
+    const support::TemporaryFolder folder;
+    const std::string first = (folder / "a.toml").string();
+    CHECK(shaken(std::string("scene ") + small_scene + " > " + first).code == 0);
+    CHECK(shaken("scene " + first).text == support::content_of(first));
+    CHECK_THAT(shaken("scene --keys").text, Contains("acceleration") && Contains("in sqrt(g/sigma)"));
+}
+
+TEST_CASE("a name that no table has is refused with its place before anything runs long") {
+    const support::TemporaryFolder folder;
+    const auto result =
+        shaken(std::string("continuum ") + small_scene + " --set continuum.flux=hlc --out " + (folder / "a").string());
+    CHECK(result.code == 65);
+    CHECK_THAT(result.text, Contains("continuum.flux = \"hlc\" is unknown") && Contains("did you mean"));
+}
+
+TEST_CASE("folders that cannot take a run end with 73 and lose nothing") {
+    const support::TemporaryFolder folder;
+    std::filesystem::create_directory(folder / "full");
+    std::ofstream(folder / "full/md.h5") << "precious";
+    const std::string command = std::string("md ") + small_scene + " --out " + (folder / "full").string();
+    CHECK(shaken(command).code == 73);
+    CHECK(support::content_of((folder / "full/md.h5").string()) == "precious");
+    CHECK(shaken(std::string("md ") + small_scene + " --out /proc/none").code == 73);
+}
+
+TEST_CASE("comparing and reporting need both engines' files") {
+    const support::TemporaryFolder folder;
+    CHECK(shaken("compare " + folder.path().string()).code == 66);
+    CHECK(shaken("report " + folder.path().string()).code == 66);
+    std::ofstream(folder / "md.h5") << "no HDF5";
+    std::ofstream(folder / "continuum.h5") << "no HDF5";
+    CHECK(shaken("compare " + folder.path().string()).code == 65);
+}
+
+TEST_CASE("one command runs both engines, compares and reports") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "run").string();
+    const auto result = shaken(std::string("run ") + small_scene + " --out " + out);
+    INFO(result.text);
+    REQUIRE(result.code == 0);
+    for (const char* name :
+         {"scene.toml", "md.h5", "continuum.h5", "continuum.xdmf", "compare.h5", "summary.json", "report.html"}) {
+        INFO(name);
+        CHECK(std::filesystem::exists(std::filesystem::path(out) / name));
+    }
+    const auto summary = nlohmann::json::parse(support::content_of(out + "/summary.json"));
+    for (const char* engine : {"md", "continuum"}) {
+        CHECK(summary.at(engine).at("zcm").size() == 20);
+        for (const char* key : {"formation_phase", "leaving_phase", "mean_speed"})
+            CHECK(summary.at(engine).at("shock").contains(key));
+        CHECK(summary.at(engine).at("cpu_seconds").get<double>() > 0.0);
+    }
+    CHECK(summary.at("md").at("collisions_per_particle_per_cycle").get<double>() > 1.0);
+    CHECK(summary.at("continuum").at("steps_per_cycle").get<double>() > 10.0);
+    CHECK(summary.at("zcm_rms_percent").is_number());
+    CHECK(summary.contains("zcm_rms_percent_half_diameter"));
+    CHECK(summary.contains("shock_location_rms"));
+
+    // Self-contained: nothing is loaded from elsewhere.
+    const std::string report = support::content_of(out + "/report.html");
+    CHECK_THAT(report, Contains("<img") && !Contains("src=\"http") && !Contains("href=\"http"));
+
+    const auto opened = support::shell("/usr/bin/python3 " SHAKEN_SOURCE_DIR "/tests/app/open_outputs.py " + out);
+    INFO(opened.text);
+    CHECK(opened.code == 0);
+
+    SECTION("a second run into the folder is refused, and allowed with --overwrite") {
+        CHECK(shaken(std::string("run ") + small_scene + " --out " + out).code == 73);
+        CHECK(shaken("compare " + out).code == 0);
+    }
+}
+
+TEST_CASE("an engine that fails ends the run with its exit code") {
+    const support::TemporaryFolder folder;
+    const auto result =
+        shaken(std::string("run ") + small_scene + " --set continuum.flux=hlc --out " + (folder / "run").string());
+    CHECK(result.code == 65);
+    CHECK_THAT(result.text, Contains("continuum failed with exit code 65"));
+}

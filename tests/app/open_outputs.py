@@ -1,0 +1,64 @@
+"""Opens md.h5 and continuum.h5 as a user would, with h5py, and checks what the formats promise."""
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+import h5py
+import numpy
+
+folder = pathlib.Path(sys.argv[1])
+
+with h5py.File(folder / "md.h5") as md:
+    assert tuple(md["h5md"].attrs["version"]) == (1, 1)
+    assert "name" in md["h5md/author"].attrs and "name" in md["h5md/creator"].attrs
+    box = md["particles/all/box"]
+    assert box.attrs["dimension"] == 3
+    boundary = [b.decode() if isinstance(b, bytes) else b for b in box.attrs["boundary"]]
+    assert boundary == ["periodic", "periodic", "none"], boundary
+    position = md["particles/all/position/value"]
+    frames, particles, dimension = position.shape
+    assert (frames, particles, dimension) == (20, 200, 3), position.shape
+    assert md["particles/all/velocity/value"].shape == position.shape
+    assert box["edges/value"].shape == (frames, 3, 3)
+    for link in ("box/edges/step", "velocity/step"):  # hard links: the same object
+        assert md["particles/all/position/step"] == md[f"particles/all/{link}"], link
+    assert numpy.allclose(md["particles/all/phase"][()], numpy.arange(20) / 20, atol=1e-12)
+    assert numpy.isfinite(position[()]).all()
+    xy = position[..., :2]
+    assert (xy >= 0).all() and (xy < 6.0).all()
+
+    energy = md["observables/kinetic_energy/value"][()] + md["observables/potential_energy/value"][()]
+    ledger = (md["observables/plate_work/value"][()] + md["observables/ceiling_work/value"][()]
+              - md["observables/collision_loss/value"][()] - md["observables/plate_loss/value"][()]
+              - md["observables/ceiling_loss/value"][()])
+    # Round-off: some 1e5 additions of up to 1e5 in magnitude, each to 1e-16.
+    assert numpy.abs(energy - energy[0] - (ledger - ledger[0])).max() < 1e-9 * numpy.abs(ledger).max()
+
+    # Every particle below the lid is counted once a sample.
+    sums, samples = md["profiles/sums"], md["profiles/samples"]
+    assert samples[()].sum() == 4 * 100
+    assert sums[..., 0].sum() <= 200 * samples[()].sum()
+    for name in ("program", "git_hash", "compiler", "compiler_flags", "scene", "seed"):
+        assert f"provenance/{name}" in md, name
+    assert "parameters/units" in md
+
+with h5py.File(folder / "continuum.h5") as continuum:
+    cells = continuum["grid/cells"][()]
+    assert tuple(cells) == (1, 1, 80), cells
+    assert len(continuum["frames"]) == 20
+    dz = continuum["grid/spacing"][2]
+    for frame in continuum["frames"].values():
+        density, temperature = frame["density"][()], frame["temperature"][()]
+        assert density.shape == (80, 1, 1)
+        assert (density > 0).all() and (temperature > 0).all() and (density < 0.65 * 6 / numpy.pi).all()
+        # Round-off of a sum over 80 cells: mass is kept.
+        assert abs(density.sum() * dz - 200 / 36) < 1e-10 * 200 / 36
+    mass = continuum["observables/mass/value"][()]
+    assert numpy.abs(mass / mass[0] - 1).max() < 1e-12
+
+text = xml.etree.ElementTree.parse(folder / "continuum.xdmf")
+items = [item.text for item in text.iter("DataItem") if item.get("Format") == "HDF"]
+assert len(items) == 20 * 5
+with h5py.File(folder / "continuum.h5") as continuum:
+    assert all(item.split(":")[0] == "continuum.h5" and item.split(":")[1] in continuum for item in items)
+print("md.h5, continuum.h5 and continuum.xdmf are what docs/formats.md says")

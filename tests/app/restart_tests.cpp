@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: MIT
+// Stopped, killed and restarted runs end in the same state and the same data as one that was left alone.
+#include <catch2/catch.hpp>
+#include <filesystem>
+#include <random>
+
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+using Catch::Contains;
+using support::shaken;
+
+namespace {
+
+std::string engine_command(const std::string& engine, const std::string& out) {
+    return engine + " " + support::small_scene + " --set sample.average=12 --out " + out;
+}
+
+/// Equal in every dataset; attributes (wall-clock time) may differ.
+void check_equal_data(const std::string& one, const std::string& other) {
+    const auto result =
+        support::shell("/usr/bin/python3 " SHAKEN_SOURCE_DIR "/tests/support/equal_hdf5.py " + one + " " + other);
+    INFO(result.text);
+    CHECK(result.code == 0);
+}
+
+}  // namespace
+
+TEST_CASE("the same seed gives the same bits, another seed does not") {
+    const support::TemporaryFolder folder;
+    for (const char* name : {"a", "b"}) REQUIRE(shaken(engine_command("md", (folder / name).string())).code == 0);
+    check_equal_data((folder / "a/md.h5").string(), (folder / "b/md.h5").string());
+    REQUIRE(shaken(engine_command("md", (folder / "c").string()) + " --set md.seed=2").code == 0);
+    CHECK(support::shell("/usr/bin/python3 " SHAKEN_SOURCE_DIR "/tests/support/equal_hdf5.py " +
+                         (folder / "a/md.h5").string() + " " + (folder / "c/md.h5").string())
+              .code != 0);
+}
+
+TEST_CASE("a run stopped by its time limit resumes to the same data") {
+    const std::string engine = GENERATE("md", "continuum");
+    const support::TemporaryFolder folder;
+    const std::string straight = (folder / "straight").string(), stopped = (folder / "stopped").string();
+    REQUIRE(shaken(engine_command(engine, straight)).code == 0);
+    CHECK(shaken(engine_command(engine, stopped) + " --max-walltime 0.001").code == 75);
+    CHECK_FALSE(std::filesystem::exists(stopped + "/" + engine + ".h5"));
+    CHECK(shaken(engine + " --resume " + stopped + " --max-walltime 0.05").code % 75 == 0);
+    REQUIRE(shaken(engine + " --resume " + stopped).code == 0);
+    check_equal_data(straight + "/" + engine + ".h5", stopped + "/" + engine + ".h5");
+}
+
+TEST_CASE("a killed run resumes from its last checkpoint to the same data") {
+    const std::string engine = GENERATE("md", "continuum");
+    const support::TemporaryFolder folder;
+    const std::string straight = (folder / "straight").string(), killed = (folder / "killed").string();
+    REQUIRE(shaken(engine_command(engine, straight)).code == 0);
+    support::shell("timeout -s KILL 0.3 " SHAKEN_COMMAND " " + engine_command(engine, killed) +
+                   " --checkpoint-every 0.02");
+    for (int tries = 0; tries < 3; ++tries) {
+        support::shell("timeout -s KILL 0.2 " SHAKEN_COMMAND " " + engine + " --checkpoint-every 0.02 --resume " +
+                       killed);
+    }
+    REQUIRE(shaken(engine + " --resume " + killed).code == 0);
+    check_equal_data(straight + "/" + engine + ".h5", killed + "/" + engine + ".h5");
+}
+
+TEST_CASE("TERM stops with a checkpoint and 75, and the message says how to go on") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "a").string();
+    const auto result =
+        support::shell("timeout -s TERM 0.3 " SHAKEN_COMMAND " md " + std::string(support::small_scene) +
+                       " --set sample.average=100000 --out " + out + "; echo code $?");
+    CHECK_THAT(result.text, Contains("go on with: shaken md --resume"));
+    CHECK(std::filesystem::exists(out + "/md.checkpoint"));
+}
+
+TEST_CASE("a damaged checkpoint is refused with its reason, and a missing one too") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "a").string();
+    REQUIRE(shaken(engine_command("md", out) + " --max-walltime 0.001").code == 75);
+    std::filesystem::resize_file(out + "/md.checkpoint", std::filesystem::file_size(out + "/md.checkpoint") / 2);
+    const auto result = shaken("md --resume " + out);
+    CHECK(result.code == 65);
+    CHECK_THAT(result.text, Contains("damaged checkpoint"));
+    CHECK(shaken("continuum --resume " + out).code == 66);
+    CHECK(shaken("md --resume " + (folder / "nowhere").string()).code == 66);
+}
