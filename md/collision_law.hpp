@@ -3,6 +3,7 @@
 // restitution e, the tangential part is untouched, momentum is kept (smooth spheres of equal mass).
 #pragma once
 
+#include <algorithm>
 #include <cmath>
 
 namespace md {
@@ -26,16 +27,18 @@ struct WallImpulse {
     double loss;      // of kinetic energy in the wall's frame: (1 - e^2) (v - w)^2 / 2
 };
 
-/// A wall of infinite mass moving at wall_velocity along the normal. A rebound slower than slowest_rebound (relative
-/// to the wall) leaves at that speed instead: the cut-off of the infinite sequence of bounces of a particle that
-/// comes to rest on the wall. Its gain of energy is a negative loss, so the ledger still closes.
+/// A wall of infinite mass moving at wall_velocity along the normal; side is +1 for a wall below the particle, -1 for
+/// one above. A rebound slower than slowest_rebound (relative to the wall) leaves at that speed instead: the cut-off of
+/// the infinite sequence of bounces of a particle that comes to rest on the wall. Its gain of energy is a negative
+/// loss, so the ledger still closes. A velocity that recedes already, by round-off, counts as rest on the wall.
 template <class Law>
-WallImpulse collide_wall(double velocity, double wall_velocity, const Law& restitution, double slowest_rebound) {
-    const double approach = velocity - wall_velocity;
-    double rebound = restitution(std::abs(approach)) * std::abs(approach);
-    if (rebound < slowest_rebound) rebound = slowest_rebound;
-    const double after = wall_velocity + std::copysign(rebound, -approach);
-    return {after, (after - velocity) * wall_velocity, 0.5 * (approach * approach - rebound * rebound)};
+WallImpulse collide_wall(double velocity, double wall_velocity, double side, const Law& restitution,
+                         double slowest_rebound) {
+    const double relative = velocity - wall_velocity;
+    const double approach = std::max(0.0, -side * relative);
+    const double rebound = std::max(restitution(approach) * approach, slowest_rebound);
+    const double after = wall_velocity + side * rebound;
+    return {after, (after - velocity) * wall_velocity, 0.5 * (relative * relative - rebound * rebound)};
 }
 
 }  // namespace md

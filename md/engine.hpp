@@ -18,6 +18,7 @@ class Engine {
     virtual ~Engine() = default;
     virtual void advance_to(std::int64_t cycle, double time_in_cycle) = 0;
     virtual void advance_collisions(std::int64_t pair_collisions) = 0;
+    virtual ContactEvent advance_contact() = 0;
     virtual std::int64_t cycle() const = 0;
     virtual double time_in_cycle() const = 0;
     virtual double period() const = 0;

@@ -25,6 +25,7 @@ class EventLoop final : public Engine {
 
     void advance_to(std::int64_t cycle, double time_in_cycle) override;
     void advance_collisions(std::int64_t pair_collisions) override;
+    ContactEvent advance_contact() override;
     std::int64_t cycle() const override { return cycle_; }
     double time_in_cycle() const override { return now_; }
     double period() const override { return period_; }
@@ -54,7 +55,10 @@ class EventLoop final : public Engine {
     void start_next_epoch();
     void sort_in_space();
     double epoch_end() const { return period_ * (epoch_ + 1) / epochs_; }
-    void watch_for_stall(std::uint32_t i, std::uint32_t j);
+    void note_contact(ContactEvent::Kind kind, std::uint32_t i, std::uint32_t j);
+    std::int64_t contacts() const {
+        return counters_.pair_collisions + counters_.plate_collisions + counters_.ceiling_collisions;
+    }
 
     Box box_;
     double period_;
@@ -73,6 +77,8 @@ class EventLoop final : public Engine {
     Counters counters_;
     Ledger sums_;        // exchanges up to the start of this epoch
     Ledger epoch_sums_;  // exchanges in this epoch: summed apart, so that round-off does not grow with the run
+    ContactEvent::Kind last_kind_ = ContactEvent::Kind::pair;
+    std::uint32_t last_first_ = 0, last_second_ = 0;
     std::int64_t events_at_epoch_start_ = 0;
     std::int64_t stall_mark_events_ = 0;
     double stall_mark_time_ = 0.0;

@@ -77,7 +77,8 @@ void EventLoop<Law, Layered>::begin_epoch() {
     }
     const std::int64_t events =
         counters_.pair_collisions + counters_.plate_collisions + counters_.ceiling_collisions + counters_.other_events;
-    const double expected = std::max(static_cast<double>(events - events_at_epoch_start_), 0.1 * static_cast<double>(particles_.size()));
+    const double expected =
+        std::max(static_cast<double>(events - events_at_epoch_start_), 0.1 * static_cast<double>(particles_.size()));
     events_at_epoch_start_ = events;
     queue_.reset(now_, epoch_end(), expected);
     for (std::uint32_t i = 0; i < particles_.size(); ++i) predict(i);
@@ -145,6 +146,23 @@ void EventLoop<Law, Layered>::advance_collisions(std::int64_t pair_collisions) {
         if (counters_.pair_collisions >= last) return;
         start_next_epoch();
     }
+}
+
+template <class Law, bool Layered>
+ContactEvent EventLoop<Law, Layered>::advance_contact() {
+    const std::int64_t before = contacts();
+    while (contacts() == before) {
+        const QueuedEvent event = queue_.front();
+        if (event.time <= epoch_end()) {
+            now_ = event.time;
+            process(event.owner);
+        } else {
+            start_next_epoch();
+        }
+    }
+    const bool pair = last_kind_ == ContactEvent::Kind::pair;
+    return {last_kind_, particles_[last_first_].id, pair ? std::int64_t{particles_[last_second_].id} : -1, cycle_,
+            now_};
 }
 
 template <class Law, bool Layered>
@@ -245,7 +263,7 @@ void EventLoop<Law, Layered>::collide(std::uint32_t i, std::uint32_t j) {
         counters_.deepest_contact = std::max(counters_.deepest_contact, 0.5 * (1.0 - r_squared));
     }
     ++counters_.pair_collisions;
-    watch_for_stall(i, j);
+    note_contact(ContactEvent::Kind::pair, i, j);
     predict(i);
     predict(j);
 }
@@ -256,18 +274,16 @@ void EventLoop<Law, Layered>::collide_with_plate(std::uint32_t i) {
         Particle& p = particles_[i];
         p.move_to(now_);
         const double before = p.velocity_z + frame_.velocity(now_), plate = box_.plate->velocity(now_);
-        if (before < plate) {
-            // Where the plate falls faster than gravity a slow rebound opens by itself and needs no cut-off.
-            const double cut_off = box_.plate->acceleration(now_) > -1.0 ? slowest_rebound : 0.0;
-            const WallImpulse impulse = collide_wall(before, plate, law_, cut_off);
-            p.velocity_z += impulse.velocity - before;
-            epoch_sums_.plate_work += impulse.work;
-            epoch_sums_.plate_loss += impulse.loss;
-            epoch_sums_.plate_impulse += impulse.velocity - before;
-        }
+        // Where the plate falls faster than gravity a slow rebound opens by itself and needs no cut-off.
+        const double cut_off = box_.plate->acceleration(now_) > -1.0 ? slowest_rebound : 0.0;
+        const WallImpulse impulse = collide_wall(before, plate, 1.0, law_, cut_off);
+        p.velocity_z += impulse.velocity - before;
+        epoch_sums_.plate_work += impulse.work;
+        epoch_sums_.plate_loss += impulse.loss;
+        epoch_sums_.plate_impulse += impulse.velocity - before;
         ++p.stamp;
         ++counters_.plate_collisions;
-        watch_for_stall(i, i);
+        note_contact(ContactEvent::Kind::plate, i, i);
         predict(i);
     }
 }
@@ -278,30 +294,34 @@ void EventLoop<Law, Layered>::collide_with_ceiling(std::uint32_t i) {
         Particle& p = particles_[i];
         p.move_to(now_);
         const double before = p.velocity_z + frame_.velocity(now_);
-        const WallImpulse impulse = collide_wall(before, 0.0, law_, 0.0);
+        const WallImpulse impulse = collide_wall(before, 0.0, -1.0, law_, 0.0);
         p.velocity_z += impulse.velocity - before;
         epoch_sums_.ceiling_work += impulse.work;
         epoch_sums_.ceiling_loss += impulse.loss;
         ++p.stamp;
         ++counters_.ceiling_collisions;
+        note_contact(ContactEvent::Kind::ceiling, i, i);
         predict(i);
     }
 }
 
 template <class Law, bool Layered>
-void EventLoop<Law, Layered>::watch_for_stall(std::uint32_t i, std::uint32_t j) {
-    const std::int64_t contacts = counters_.pair_collisions + counters_.plate_collisions;
-    if (contacts - stall_mark_events_ < stall_events) return;
+void EventLoop<Law, Layered>::note_contact(ContactEvent::Kind kind, std::uint32_t i, std::uint32_t j) {
+    last_kind_ = kind;
+    last_first_ = i;
+    last_second_ = j;
+    if (contacts() - stall_mark_events_ < stall_events) return;
     if (now_ - stall_mark_time_ < stall_time) {
-        const std::string who = i == j ? fmt::format("particle {} and the plate", particles_[i].id)
-                                       : fmt::format("particles {} and {}", particles_[i].id, particles_[j].id);
+        const std::string who = kind == ContactEvent::Kind::pair
+                                    ? fmt::format("particles {} and {}", particles_[i].id, particles_[j].id)
+                                    : fmt::format("particle {} and a wall", particles_[i].id);
         throw Stalled(
-            fmt::format("md: inelastic collapse in cycle {} at t = {}: {} contacts within {:.3g}, the last of "
-                        "{}. Particles of constant restitution lose all relative speed in finite time; raise "
-                        "particles.restitution or use {{ law = \"velocity\", e0 = ... }}",
+            fmt::format("md: inelastic collapse in cycle {} at t = {}: {} contacts within a time of {:.3g}, the last "
+                        "between {}. With a constant restitution a dense group loses all relative speed in finite "
+                        "time; raise particles.restitution or use {{ law = \"velocity\", e0 = ... }}",
                         cycle_, now_, stall_events, now_ - stall_mark_time_, who));
     }
-    stall_mark_events_ = contacts;
+    stall_mark_events_ = contacts();
     stall_mark_time_ = now_;
 }
 

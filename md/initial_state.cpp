@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "md/errors.hpp"
@@ -25,36 +26,50 @@ struct Region {
     double lower = 0.0, upper = 0.0;  // of z
 };
 
-/// Sites of a face-centred cubic lattice, stretched to fit the region, with at least `wanted` sites whose neighbours
-/// are at least one diameter apart; empty if there is none.
-std::vector<Vector> lattice(const Region& region, std::int64_t wanted) {
+/// A face-centred lattice stretched to fit the region: columns_x by columns_y cells with two sites each in every layer,
+/// layers half a cell apart, each shifted by half a cell against the next.
+struct Lattice {
+    std::int64_t columns_x = 0, columns_y = 0, layers = 0;
+    double edge_x = 0.0, edge_y = 0.0, edge_z = 0.0;
+
+    double nearest() const {
+        const double x = edge_x * edge_x, y = edge_y * edge_y, z = edge_z * edge_z;
+        return std::sqrt(std::min({x, y, z, 0.25 * (x + y), 0.25 * (x + z), 0.25 * (y + z)}));
+    }
+};
+
+/// The lattice with at least `wanted` sites that keeps them farthest apart; nearest() tells whether that is enough.
+Lattice widest_lattice(const Region& region, std::int64_t wanted) {
     const double height = region.upper - region.lower;
     const bool periodic = region.z.length > 0.0;
-    // Cubic cells of edge >= sqrt(2) hold four sites. Start from the loosest lattice and tighten until enough fit.
-    for (double edge =
-             std::cbrt(4.0 * region.x.length * region.y.length * (height + 1.0) / static_cast<double>(wanted));
-         edge >= std::numbers::sqrt2; edge *= 0.995) {
-        const auto nx = static_cast<std::int64_t>(region.x.length / edge);
-        const auto ny = static_cast<std::int64_t>(region.y.length / edge);
-        // Half-cell layers: 2 per cell, the last one standing on the upper limit where that is a wall.
-        const auto layers = periodic ? 2 * static_cast<std::int64_t>(height / edge)
-                                     : static_cast<std::int64_t>(2.0 * height / edge) + 1;
-        if (nx < 1 || ny < 1 || layers < 1 || 2 * nx * ny * layers < wanted) continue;
-        const double ax = region.x.length / static_cast<double>(nx), ay = region.y.length / static_cast<double>(ny);
-        const double az = periodic     ? 2.0 * height / static_cast<double>(layers)
-                          : layers > 1 ? 2.0 * height / static_cast<double>(layers - 1)
-                                       : edge;
-        std::vector<Vector> sites;
-        for (std::int64_t k = 0; k < layers; ++k)
-            for (std::int64_t j = 0; j < 2 * ny; ++j)
-                for (std::int64_t i = 0; i < nx; ++i) {
-                    const double offset = (j + k) % 2 == 0 ? 0.0 : 0.5;
-                    sites.push_back({ax * (static_cast<double>(i) + offset), 0.5 * ay * static_cast<double>(j),
-                                     region.lower + 0.5 * az * static_cast<double>(k)});
-                }
-        return sites;
-    }
-    return {};
+    Lattice best;
+    for (std::int64_t nx = 1; static_cast<double>(nx) <= region.x.length; ++nx)
+        for (std::int64_t ny = 1; static_cast<double>(ny) <= region.y.length; ++ny) {
+            std::int64_t layers = (wanted + 2 * nx * ny - 1) / (2 * nx * ny);
+            if (periodic) layers += layers % 2;  // the shift must fit when the stack closes on itself
+            const double gaps = static_cast<double>(periodic ? layers : layers - 1);
+            const Lattice tried{nx,
+                                ny,
+                                layers,
+                                region.x.length / static_cast<double>(nx),
+                                region.y.length / static_cast<double>(ny),
+                                layers > 1 ? 2.0 * height / gaps : 2.0};
+            if (best.layers == 0 || tried.nearest() > best.nearest()) best = tried;
+        }
+    return best;
+}
+
+std::vector<Vector> sites_of(const Lattice& lattice, const Region& region) {
+    std::vector<Vector> sites;
+    for (std::int64_t k = 0; k < lattice.layers; ++k)
+        for (std::int64_t j = 0; j < 2 * lattice.columns_y; ++j)
+            for (std::int64_t i = 0; i < lattice.columns_x; ++i) {
+                const double offset = (j + k) % 2 == 0 ? 0.0 : 0.5;
+                sites.push_back({lattice.edge_x * (static_cast<double>(i) + offset),
+                                 0.5 * lattice.edge_y * static_cast<double>(j),
+                                 std::min(region.upper, region.lower + 0.5 * lattice.edge_z * static_cast<double>(k))});
+            }
+    return sites;
 }
 
 /// Metropolis moves of hard spheres, through cells of at least one diameter.
@@ -174,12 +189,13 @@ Snapshot make_initial_state(const InitialState& state, const Box& box) {
         region.upper = height - 0.5;
     }
     Snapshot start;
-    std::vector<Vector> sites = lattice(region, state.particles);
-    if (sites.size() < count)
+    const Lattice lattice = widest_lattice(region, state.particles);
+    if (lattice.nearest() < 1.0)
         throw CannotSetUp(
             fmt::format("md: {} particles do not fit at initial.volume_fraction = {} into {} x {}; a lower "
                         "fraction or a larger box would do",
                         state.particles, state.volume_fraction, box.x, box.y));
+    std::vector<Vector> sites = sites_of(lattice, region);
     for (std::size_t i = 0; i < count; ++i) {  // a random choice of sites, in random order
         std::swap(sites[i], sites[i + random.index(sites.size() - i)]);
         start.position.push_back(sites[i]);

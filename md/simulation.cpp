@@ -73,6 +73,7 @@ Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
 void Simulation::advance_to(std::int64_t cycle, double time_in_cycle) { engine_->advance_to(cycle, time_in_cycle); }
 void Simulation::advance_collisions(std::int64_t pair_collisions) { engine_->advance_collisions(pair_collisions); }
+ContactEvent Simulation::advance_contact() { return engine_->advance_contact(); }
 std::int64_t Simulation::cycle() const { return engine_->cycle(); }
 double Simulation::time_in_cycle() const { return engine_->time_in_cycle(); }
 double Simulation::plate_period() const { return engine_->period(); }

@@ -44,6 +44,8 @@ class Simulation {
     void advance_to(std::int64_t cycle, double time_in_cycle);
     /// Processes exactly this many pair collisions.
     void advance_collisions(std::int64_t pair_collisions);
+    /// Goes on to just after the next contact, of a pair or with a wall, and says which.
+    ContactEvent advance_contact();
 
     std::int64_t cycle() const;
     double time_in_cycle() const;

@@ -34,4 +34,13 @@ struct Counters {
     double deepest_contact = 0.0;   // largest overlap at which a pair has collided, sigma: round-off
 };
 
+/// One contact that has just been dealt with.
+struct ContactEvent {
+    enum class Kind : std::int64_t { pair, plate, ceiling };
+    Kind kind = Kind::pair;
+    std::int64_t first = -1, second = -1;  // particle numbers; second = -1 for a wall
+    std::int64_t cycle = 0;
+    double time_in_cycle = 0.0;
+};
+
 }  // namespace md

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include "files/errors.hpp"
+#include "md/h5md.hpp"
+#include "small_systems.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+TEST_CASE("what is written as H5MD is read back, frame by frame") {
+    const auto scene = small::layer();
+    const md::Box box{scene.box.x, scene.box.y, scene.box.ceiling, false, scene.motion};
+    const support::TemporaryFolder folder;
+    const auto path = folder.path() / "md.h5";
+    md::Simulation simulation(scene);
+    std::vector<md::Snapshot> shots;
+    {
+        md::H5mdWriter writer(path, box, {"[scene]\n", 1, ""});
+        for (int frame = 0; frame < 3; ++frame) {
+            simulation.advance_to(0, 0.1 * frame);
+            shots.push_back(simulation.snapshot());
+            writer.append(shots.back(), frame * 10, 0.1 * frame);
+            writer.flush();
+        }
+        writer.close();
+    }
+    const md::H5mdFrames read = md::read_h5md(path);
+    CHECK(read.step == std::vector<std::int64_t>{0, 10, 20});
+    CHECK(read.time == std::vector<double>{0.0, 0.1, 0.2});
+    REQUIRE(read.frames.size() == 3);
+    for (std::size_t frame = 0; frame < 3; ++frame) {
+        CHECK(read.frames[frame].position == shots[frame].position);
+        CHECK(read.frames[frame].velocity == shots[frame].velocity);
+    }
+    const files::Hdf5File file(path, files::Open::read);
+    CHECK(file.read_text_attribute("/h5md/creator", "name") == "shaken");
+    CHECK(file.shape("/particles/all/box/edges/value") == files::Shape{3, 3, 3});
+    CHECK(file.read<double>("/particles/all/box/edges/time") == read.time);
+    CHECK(file.read<std::int64_t>("/particles/all/velocity/step") == read.step);
+    CHECK(file.has("/provenance"));
+}
+
+TEST_CASE("a run goes on from the frame another run wrote") {
+    const auto scene = small::layer();
+    md::Simulation first(scene);
+    first.advance_to(1, 0.0);
+    md::Simulation second(scene, first.snapshot());
+    second.advance_to(1, 0.0);
+    CHECK(second.audit().largest_overlap < 1e-12);
+}
+
+TEST_CASE("a file without particles is refused") {
+    const support::TemporaryFolder folder;
+    CHECK_THROWS_AS(md::read_h5md(folder.path() / "absent.h5"), files::NoInput);
+    files::Hdf5File(folder.path() / "empty.h5", files::Open::create).close();
+    CHECK_THROWS_AS(md::read_h5md(folder.path() / "empty.h5"), files::Damaged);
+}

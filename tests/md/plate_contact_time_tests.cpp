@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// The plate's contact against a method that cannot skip a root: as the gap's acceleration is at most 1 + Gamma in size,
+// from a gap h with rate h' no contact comes before s with h + h' s - (1 + Gamma) s^2/2 = 0. Marching by such steps, in
+// extended precision, runs into the first contact and never past it.
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "md/contact_time.hpp"
+#include "md/plate_contact_time.hpp"
+#include "md/random_stream.hpp"
+
+namespace {
+
+struct Flight {
+    scene::PlateMotion plate;
+    double height, velocity, now;
+
+    long double omega() const { return plate.angular_frequency(); }
+    long double gap(long double t) const {
+        const long double flight = t - now;
+        return height + flight * (velocity - flight / 2) - plate.amplitude * (1 - std::cos(omega() * t));
+    }
+    long double rate(long double t) const {
+        return velocity - (t - now) - plate.amplitude * omega() * std::sin(omega() * t);
+    }
+};
+
+struct Marched {
+    double time = md::never;
+    long double nearest = 1e300L;  // smallest gap passed without a contact
+};
+
+Marched march(const Flight& flight, double until) {
+    const long double bound = 1 + flight.plate.peak_acceleration();
+    constexpr long double touching = 1e-15L;
+    Marched result;
+    long double t = flight.now;
+    while (t <= until) {
+        const long double h = flight.gap(t), rate = flight.rate(t);
+        if (h <= touching && rate < 0) {
+            result.time = static_cast<double>(t);
+            return result;
+        }
+        if (rate <= 0) result.nearest = std::min(result.nearest, h);
+        const long double depth = std::max(h, 0.0L);
+        t += std::max((rate + std::sqrt(rate * rate + 2 * bound * depth)) / bound, 1e-12L);
+    }
+    return result;
+}
+
+/// Checks one flight; returns whether there was a contact.
+bool agree(const Flight& flight, double until) {
+    const double t = md::plate_contact_time(flight.plate, flight.height, flight.velocity, flight.now, until);
+    const Marched expected = march(flight, until);
+    INFO("height " << flight.height << ", velocity " << flight.velocity << ", from " << flight.now << " until " << until
+                   << ": found " << t << ", marched " << expected.time);
+    const long double scale = 1 + std::abs(flight.height) + flight.velocity * flight.velocity;
+    const long double round_off = 1e-14L * scale;  // some twenty operations on heights of this size
+    if (t == md::never) {
+        // A contact may hang on the last bit only where the gap just reaches zero, or just before the end.
+        const bool last_bit =
+            expected.time == md::never || until - expected.time < 1e-9 || std::abs(flight.rate(expected.time)) < 1e-6;
+        REQUIRE(last_bit);
+        return false;
+    }
+    REQUIRE(std::abs(flight.gap(t)) < round_off);
+    REQUIRE(flight.rate(t) < 1e-6L);
+    if (expected.time != md::never) {
+        REQUIRE(t > expected.time - 1e-6);  // a grazing root is good to the root of round-off
+        REQUIRE(t < expected.time + 1e-6);
+    } else {
+        REQUIRE((expected.nearest < round_off || until - t < 1e-9));
+    }
+    return true;
+}
+
+}  // namespace
+
+TEST_CASE("ten thousand random flights meet the plate where marching meets it, none missed or doubled") {
+    md::RandomStream random(5);
+    int met = 0;
+    for (int trial = 0; trial < 10000; ++trial) {
+        const auto plate =
+            scene::PlateMotion::from_acceleration(std::exp(random.uniform(-2.0, 2.5)), random.uniform(0.05, 0.5));
+        const double now = random.uniform(0.0, plate.period());
+        // Half leave the plate, slowly or fast, as after a bounce; half come from above.
+        const bool bounced = trial % 2 == 0;
+        const double height = plate.position(now) + (bounced ? 0.0 : random.uniform(0.0, 10.0));
+        const double relative = bounced ? std::exp(random.uniform(-8.0, 2.0)) : 3.0 * random.normal();
+        met += agree({plate, height, plate.velocity(now) + relative, now}, plate.period());
+    }
+    CHECK(met > 3000);
+}
+
+TEST_CASE("flights that graze the plate are decided by the sign of their closest gap") {
+    md::RandomStream random(6);
+    for (int trial = 0; trial < 3000; ++trial) {
+        const double acceleration = random.uniform(1.2, 6.0);
+        const auto plate = scene::PlateMotion::from_acceleration(acceleration, random.uniform(0.1, 0.4));
+        // Where the plate falls faster than gravity the gap has a minimum: put it at this time and this depth.
+        const double half_width = std::acos(1.0 / acceleration);
+        const double graze = (std::acos(-1.0) + random.uniform(-0.9, 0.9) * half_width) / plate.angular_frequency();
+        const double depth = (trial % 2 == 0 ? 1.0 : -1.0) * std::pow(10.0, random.uniform(-12.0, -2.0));
+        const double before = random.uniform(0.0, 0.3) * half_width / plate.angular_frequency();
+        const double velocity = plate.velocity(graze) + before,
+                     height = plate.position(graze) + depth - before * (velocity - 0.5 * before);
+        const double now = graze - before;
+        if (height < plate.position(now)) continue;
+        const Flight flight{plate, height, velocity, now};
+        agree(flight, plate.period());
+        const double t = md::plate_contact_time(plate, height, velocity, now, graze);
+        if (depth > 1e-11) CHECK(t == md::never);
+        if (depth < -1e-11) CHECK(t <= graze);
+    }
+}
+
+TEST_CASE("in contact and falling is now, in contact and rising is the next fall") {
+    const auto plate = scene::PlateMotion::from_acceleration(3.0, 0.095);
+    const double now = 1.0, height = plate.position(now);
+    CHECK(md::plate_contact_time(plate, height, plate.velocity(now) - 0.1, now, 5.0) == now);
+    CHECK(md::plate_contact_time(plate, height - 1e-13, plate.velocity(now) - 0.1, now, 5.0) == now);
+    const double later = md::plate_contact_time(plate, height - 1e-13, plate.velocity(now) + 0.1, now, 5.0);
+    CHECK(later > now + 0.01);
+    CHECK(later < 5.0);
+}
+
+TEST_CASE("a particle riding on the plate makes finitely many hops and leaves where theory says") {
+    // A body in contact leaves when the plate falls faster than gravity: cos 2 pi f t = -1/Gamma, that is
+    // sin(2 pi f t0) = 1/Gamma with t0 from the plate's middle.
+    const auto plate = scene::PlateMotion::from_acceleration(3.0, 0.095);
+    double now = 0.3 * plate.period() * 0.5, velocity = plate.velocity(now), height = plate.position(now);
+    constexpr double hop = 1e-4;
+    int hops = 0;
+    while (true) {
+        const double t = md::plate_contact_time(plate, height, velocity, now, plate.period());
+        if (t == md::never || t - now > 1.0) break;
+        now = t;
+        height = plate.position(t);
+        velocity = plate.velocity(t) + hop;
+        REQUIRE(++hops < 100000);
+    }
+    const double leaves = std::acos(-1.0 / 3.0) / plate.angular_frequency();
+    // The last hops grow longer as the gap's acceleration vanishes: duration ~ (hop / its rate of change)^(1/2).
+    CHECK(now == Approx(leaves).margin(0.05));
+    CHECK(now < leaves);
+}
