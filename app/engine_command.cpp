@@ -45,7 +45,7 @@ int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spe
         throw;
     }
     loop.finish("finished");
-    print_result(run);
+    if (!options.as_child) print_result(run);
     return exit_code::done;
 }
 
@@ -53,9 +53,9 @@ template <class Run>
 int start(const std::string& engine, const EngineOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
     const EngineFiles files{options.out, engine};
-    if (!options.into_prepared) prepare_folder(files.folder, options.overwrite);
+    if (!options.as_child) prepare_folder(files.folder, options.overwrite);
     const FolderLock lock(files.folder, engine);
-    if (!options.into_prepared) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
+    if (!options.as_child) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
     Run run(scene);
     return finish(run, files, options, {}, "");
 }

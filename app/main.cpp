@@ -31,6 +31,13 @@ std::string version_text() {
         BOOST_VERSION / 100 % 1000, FMT_VERSION, SPDLOG_VER_MAJOR, SPDLOG_VER_MINOR, SPDLOG_VER_PATCH, CLI11_VERSION);
 }
 
+/// CLI11's own check prints the largest double.
+std::string positive_seconds(const std::string& written) {
+    double seconds = 0.0;
+    if (CLI::detail::lexical_cast(written, seconds) && seconds > 0.0) return "";
+    return fmt::format("'{}' must be a number of seconds greater than 0", written);
+}
+
 void add_engine_options(CLI::App& command, EngineOptions& options) {
     auto* scene_file = command.add_option("SCENE", options.scene_file, "scene file (TOML)");
     auto* out = command.add_option("-o,--out", options.out, "folder for what the run leaves");
@@ -45,10 +52,10 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
     command
         .add_option("--max-walltime", options.max_walltime,
                     "stop with a checkpoint after so many seconds (exit code 75)")
-        ->check(CLI::PositiveNumber);
+        ->check(positive_seconds);
     command.add_option("--checkpoint-every", options.checkpoint_every, "seconds between checkpoints")
-        ->check(CLI::PositiveNumber);
-    command.add_flag("--into-prepared", options.into_prepared)->group("");
+        ->check(positive_seconds);
+    command.add_flag("--as-child", options.as_child)->group("");
     resume->excludes(scene_file)->excludes(out);
     command.callback([&options] {
         if (options.resume.empty() && options.scene_file.empty()) throw CLI::RequiredError("SCENE (or --resume DIR)");
@@ -56,17 +63,21 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
     });
 }
 
-/// CLI11 has nothing to say of a mistyped subcommand.
-void refuse_unknown_command(const CLI::App& command, int argc, char** argv) {
-    if (argc < 2 || argv[1][0] == '-') return;
+/// What to say of a mistyped subcommand, of which CLI11 says nothing; empty if there is none.
+std::string unknown_command(const CLI::App& command, int argc, char** argv) {
+    if (argc < 2 || argv[1][0] == '-') return "";
     std::vector<std::string> known;
     for (const CLI::App* sub : command.get_subcommands(nullptr)) known.push_back(sub->get_name());
     const std::string written = argv[1];
-    if (std::find(known.begin(), known.end(), written) != known.end()) return;
+    if (std::find(known.begin(), known.end(), written) != known.end()) return "";
     std::string message = fmt::format("unknown command '{}'; known: {}", written, fmt::join(known, ", "));
-    if (const std::string near = scene::nearest_word(written, known); !near.empty())
-        message += fmt::format("; did you mean {}?", near);
-    throw CLI::ExtrasError(message, std::vector<std::string>{});
+    const std::string near = scene::nearest_word(written, known);
+    return near.empty() ? message : message + fmt::format("; did you mean {}?", near);
+}
+
+int refuse_usage(const std::string& message) {
+    fmt::print(stderr, "shaken: {}\nTry: shaken --help\n", message);
+    return exit_code::usage;
 }
 
 int dispatch(int argc, char** argv) {
@@ -99,14 +110,14 @@ int dispatch(int argc, char** argv) {
     scene_command->add_flag("--keys", list_keys, "every key with its unit, range, default and meaning")
         ->excludes(scene_file);
 
+    if (const std::string message = unknown_command(command, argc, argv); !message.empty())
+        return refuse_usage(message);
     try {
-        refuse_unknown_command(command, argc, argv);
         command.parse(argc, argv);
         if (*scene_command && !list_keys && options.scene_file.empty()) throw CLI::RequiredError("SCENE (or --keys)");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return command.exit(error);  // --help, --version
-        fmt::print(stderr, "shaken: {}\nTry: shaken --help\n", error.what());
-        return exit_code::usage;
+        return refuse_usage(error.what());
     }
     options.quiet = quiet;
     spdlog::set_level(quiet ? spdlog::level::warn : verbose ? spdlog::level::debug : spdlog::level::info);

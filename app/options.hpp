@@ -15,7 +15,7 @@ struct EngineOptions {
     std::filesystem::path out;
     std::filesystem::path resume;  // folder of a run to go on with, in place of scene_file and out
     bool overwrite = false;
-    bool into_prepared = false;  // the caller has prepared the folder and written scene.toml
+    bool as_child = false;  // of `run`, which has prepared the folder and speaks to the user
     bool quiet = false;
     double max_walltime = std::numeric_limits<double>::infinity();  // seconds
     double checkpoint_every = 300.0;                                // seconds of wall time

@@ -5,6 +5,7 @@
 #include <spdlog/spdlog.h>
 
 #include <array>
+#include <cmath>
 #include <csignal>
 #include <fstream>
 #include <sstream>
@@ -37,15 +38,16 @@ Status status_of(const EngineFiles& files) {
 }
 
 std::vector<std::string> child_arguments(const EngineFiles& files, const EngineOptions& options) {
-    std::vector<std::string> arguments{files.engine, "--quiet"};
+    std::vector<std::string> arguments{files.engine, "--quiet", "--as-child"};
     if (std::filesystem::exists(files.checkpoint())) {
         arguments.insert(arguments.end(), {"--resume", files.folder.string()});
     } else {
-        arguments.insert(arguments.end(),
-                         {(files.folder / "scene.toml").string(), "--out", files.folder.string(), "--into-prepared"});
+        arguments.insert(arguments.end(), {(files.folder / "scene.toml").string(), "--out", files.folder.string()});
     }
-    arguments.insert(arguments.end(), {"--max-walltime", fmt::format("{}", options.max_walltime), "--checkpoint-every",
-                                       fmt::format("{}", options.checkpoint_every)});
+    if (std::isfinite(options.max_walltime)) {
+        arguments.insert(arguments.end(), {"--max-walltime", fmt::format("{}", options.max_walltime)});
+    }
+    arguments.insert(arguments.end(), {"--checkpoint-every", fmt::format("{}", options.checkpoint_every)});
     return arguments;
 }
 
