@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "continuum/closures/closures.hpp"
+#include "continuum/closures/effective_dissipation.hpp"
+#include "continuum/closures/equation_of_state.hpp"
+#include "continuum/kernels.hpp"
+
+using namespace continuum;
+
+TEST_CASE("the vectorisable power equals the library's to round-off") {
+    double worst = 0.0;
+    for (int i = 0; i < 100000; ++i) {
+        const double x = 2.0 * std::exp(-30.0 * i / 100000.0);
+        for (const double a : {0.8666666666666667, -0.13, 1.0})
+            worst = std::max(worst, std::abs(fast_power(x, a) / std::pow(x, a) - 1.0));
+    }
+    // Round-off: the exponent reaches 43, so an ulp of it is 43 * 2.2e-16 * ln 2 in the power.
+    CHECK(worst < 1e-14);
+}
+
+TEST_CASE("Jenkins and Richman's coefficients take the values of physics.md") {
+    struct Row {
+        double nu, g, p, gamma, lambda, mu, kappa, c;
+    };
+    const std::array<Row, 3> rows{{
+        {0.10, 0.12460410, 0.27189787, 0.08216941, 0.03580367, 0.22502073, 0.94912316, 1.81351580},
+        {0.40, 1.16461491, 3.78892459, 3.07199285, 1.33855898, 1.29962695, 5.27841943, 5.64608591},
+        {0.62, 15.4516066, 63.3920252, 63.1747011, 27.5271029, 21.1970809, 79.7680993, 55.7310673},
+    }};
+    const double e = 0.7;
+    for (const Row& row : rows) {
+        const double n = row.nu / sphere_volume;
+        const PressurePoint point = pressure_point<Goldshtein>(n, 1.0, 2.0 * (1.0 + e));
+        const Transport t = JenkinsRichman::transport<Goldshtein>(n, 1.0, e);
+        const double rate = JenkinsRichman::cooling_rate<Goldshtein>(n, e);
+        // The table has nine digits.
+        const auto value = [](double x) { return Approx(x).epsilon(2e-8); };
+        INFO("volume fraction " << row.nu);
+        CHECK(row.nu * Goldshtein::at(row.nu).g0 == value(row.g).epsilon(5e-8));
+        CHECK(point.pressure == value(row.p));
+        CHECK(1.5 * n * rate * (1.0 - e * e) == value(row.gamma).epsilon(1e-7));
+        CHECK(t.bulk_viscosity == value(row.lambda).epsilon(2e-7));
+        CHECK(t.shear_viscosity == value(row.mu));
+        CHECK(t.conductivity == value(row.kappa));
+        CHECK(std::sqrt(point.sound_speed_squared) == value(row.c));
+    }
+}
+
+TEMPLATE_TEST_CASE("a pair correlation's slope is the derivative of its value", "", Goldshtein, CarnahanStarling) {
+    for (const double nu : {1e-6, 0.01, 0.1, 0.3, 0.48, 0.5, 0.6, 0.64}) {
+        const double h = 1e-5 * std::min(nu, TestType::packing - nu);
+        const double difference = (TestType::at(nu + h).g0 - TestType::at(nu - h).g0) / (2.0 * h);
+        INFO("volume fraction " << nu);
+        // Truncation of the centred difference, h^2 = 1e-10 relative, and round-off eps/1e-5.
+        CHECK(TestType::at(nu).slope == Approx(nu * difference).epsilon(1e-6).margin(1e-9));
+    }
+}
+
+TEMPLATE_TEST_CASE("pressure and coefficients stay finite in the vacuum and grow without bound at packing", "",
+                   Goldshtein, CarnahanStarling) {
+    for (const double nu : {0.0, 1e-300, 1e-30, 1e-12}) {
+        const Transport t = JenkinsRichman::transport<TestType>(nu / sphere_volume, 1.0, 0.9);
+        // Boltzmann's values, to which nu = 1e-12 is 1e-10 near.
+        CHECK(t.shear_viscosity == Approx(5.0 / 16.0 / std::sqrt(std::numbers::pi)).epsilon(1e-9));
+        CHECK(t.conductivity == Approx(75.0 / 64.0 / std::sqrt(std::numbers::pi)).epsilon(1e-9));
+        CHECK(pressure_point<TestType>(nu / sphere_volume, 1.0, 3.8).sound_speed_squared ==
+              Approx(5.0 / 3.0).epsilon(1e-9));
+    }
+    double last = 0.0;
+    for (const double room : {1e-2, 1e-4, 1e-6, 1e-8}) {
+        const double p = pressure_point<TestType>((TestType::packing - room) / sphere_volume, 1.0, 3.8).pressure;
+        CHECK(std::isfinite(p));
+        CHECK(p > 10.0 * last);
+        last = p;
+    }
+}
+
+TEST_CASE("below freezing Carnahan and Starling's contact value gives the hard-sphere pressure") {
+    // Z of Kolafa, Labik and Malijevsky (reference.md, section 1); Carnahan and Starling are within 0.3 % of it.
+    for (const auto& [nu, z] : {std::pair{0.10, 1.521647}, {0.30, 3.983824}, {0.45, 9.399334}})
+        CHECK(1.0 + 4.0 * nu * CarnahanStarling::at(nu).g0 == Approx(z).epsilon(3e-3));
+}
+
+TEST_CASE("the effective dissipation of e(v) takes the reference values") {
+    const scene::Restitution law = scene::RestitutionVelocity{0.7, 1.0};
+    const EffectiveDissipation table(law);
+    CHECK_FALSE(table.is_constant());
+    for (const auto& [t, d] : {std::pair{10.0, 0.509978}, {1.0, 0.508043}, {0.1, 0.429469}, {0.01, 0.206377}}) {
+        INFO("temperature " << t);
+        CHECK(effective_dissipation(law, t) == Approx(d).margin(5.1e-7));  // six digits are given
+        CHECK(table(t) == Approx(d).margin(8e-7));                         // and the interpolation's 3.4e-7 relative
+    }
+}
+
+TEST_CASE("the effective dissipation depends on T/v0^2 alone, and tends to T^(3/8) and to 1 - e0^2") {
+    const scene::Restitution one = scene::RestitutionVelocity{0.8, 1.0}, three = scene::RestitutionVelocity{0.8, 3.0};
+    CHECK(effective_dissipation(three, 9.0 * 0.37) == Approx(effective_dissipation(one, 0.37)).epsilon(1e-10));
+    CHECK(effective_dissipation(one, 1e8) == Approx(0.36).epsilon(1e-10));
+    // The next term is smaller by T^(3/8) (1 - e0)/2 or so: 1 % at T = 1e-6.
+    CHECK(effective_dissipation(one, 1e-6) / effective_dissipation(one, 1e-8) ==
+          Approx(std::pow(100.0, 0.375)).epsilon(1e-2));
+    CHECK(EffectiveDissipation(scene::RestitutionConstant{0.9})(0.3) == Approx(0.19).epsilon(1e-15));
+}
+
+TEST_CASE("compare's equation of state is the solver's") {
+    scene::Scene scene;
+    scene.particles.restitution = scene::RestitutionConstant{0.7};
+    const EquationOfState state = make_equation_of_state(scene);
+    CHECK(state.sound_speed(0.4, 1.0) == Approx(5.64608591).epsilon(2e-9));
+    CHECK(state.pressure(0.4, 1.0) == Approx(3.78892459).epsilon(2e-9));
+    CHECK(state.sound_speed(0.4, 4.0) == Approx(2.0 * state.sound_speed(0.4, 1.0)).epsilon(1e-15));
+    CHECK(state.specific_heat_at_constant_pressure(0.0) == Approx(2.5).epsilon(1e-12));
+    CHECK(mean_free_path(1.0) == Approx(std::sqrt(std::numbers::pi / 8.0) / std::numbers::pi).epsilon(1e-15));
+    scene.continuum.restitution = 0.9;
+    CHECK(make_equation_of_state(scene).pressure(0.4, 1.0) > state.pressure(0.4, 1.0));
+}
+
+TEST_CASE("a name that is in no table is refused with the names that are") {
+    scene::Scene scene;
+    scene.continuum.pair_correlation = {"goldstein", {"layer.toml", 7, 3, "pair_correlation = \"goldstein\""}};
+    CHECK_THROWS_WITH(make_equation_of_state(scene), Catch::Contains("layer.toml:7:3") &&
+                                                         Catch::Contains("goldshtein") &&
+                                                         Catch::Contains("carnahan_starling"));
+    scene::Continuum choices;
+    choices.flux.name = "hlc";
+    CHECK_THROWS_WITH(choose_kernels(choices), Catch::Contains("continuum.flux") && Catch::Contains("hllc"));
+    choices = {};
+    choices.limiter.name = "nolimit";
+    CHECK_THROWS_AS(choose_kernels(choices), scene::SceneError);
+    choices = {};
+    choices.transport.name = "euler";
+    CHECK_THROWS_WITH(choose_kernels(choices), Catch::Contains("inviscid"));
+}
