@@ -8,8 +8,6 @@
 
 namespace app {
 
-inline constexpr std::int64_t frames_per_cycle = 20;
-
 /// A sample instant by its number since the start.
 struct Instant {
     std::int64_t cycle, phase;
@@ -27,8 +25,8 @@ inline Instant instant_of(std::int64_t sample, const scene::Scene& scene) {
 }
 
 inline bool is_frame(const Instant& instant, const scene::Scene& scene) {
-    return instant.cycle == scene.sample.settle + scene.sample.average - 1 &&
-           instant.phase % (scene.sample.phases / frames_per_cycle) == 0;
+    return scene.sample.frames > 0 && instant.cycle == scene.sample.settle + scene.sample.average - 1 &&
+           instant.phase % (scene.sample.phases / scene.sample.frames) == 0;
 }
 
 }  // namespace app

@@ -63,6 +63,8 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.whole({"settle", "cycles", "before averaging begins"}, s.sample.settle, {0.0, 1e9});
     v.whole({"average", "cycles", "to average over"}, s.sample.average, counts);
     v.number({"bin", "sigma", "height of a bin of the profiles"}, s.sample.bin, {0.01, 100.0});
+    v.whole({"frames", "", "whole states kept of the last cycle, at equal phases; a divisor of phases, 0 for none"},
+            s.sample.frames, {0.0, 100000.0});
 
     v.section("md", "event-driven molecular dynamics");
     v.seed({"seed", "", "of positions and velocities at the start"}, s.md.seed);

@@ -27,6 +27,10 @@ class Resolver {
         if (s_.sample.phases % 20 != 0) {
             fail("sample.phases", fmt::format("sample.phases = {} is not a multiple of 20", s_.sample.phases));
         }
+        if (s_.sample.frames > 0 && s_.sample.phases % s_.sample.frames != 0) {
+            fail("sample.frames", fmt::format("sample.frames = {} does not divide sample.phases = {}", s_.sample.frames,
+                                              s_.sample.phases));
+        }
         if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
             fail("continuum.spacing",
                  fmt::format("continuum.spacing = {} leaves fewer than 4 cells below the lid at {}",

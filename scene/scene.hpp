@@ -58,6 +58,7 @@ struct Sample {
     std::int64_t settle = 10;   // cycles before averaging
     std::int64_t average = 50;  // cycles averaged over
     double bin = 0.5;           // height of a bin, in sigma
+    std::int64_t frames = 20;   // whole states kept of the last cycle, at equal phases; 0: none
 };
 
 struct Md {
