@@ -110,6 +110,7 @@ void write_measures(const EngineGroup& group) {
     group.phases("shock/top", "sigma", of_shock([](const Shock& s) { return s.top; }));
     group.phases("shock/foot", "sigma", of_shock([](const Shock& s) { return s.foot; }));
     group.phases("shock/width", "sigma", of_shock([](const Shock& s) { return s.width(); }));
+    group.phases("shock/slope_width", "sigma", of_shock([](const Shock& s) { return s.slope_width(); }));
     group.phases("shock/mach_above", "1", of_shock([](const Shock& s) { return s.mach_above; }));
     group.phases("shock/width_over_mean_free_path", "1",
                  of_shock([](const Shock& s) { return s.width() / s.mean_free_path; }));
@@ -125,6 +126,7 @@ void write_history(files::Hdf5File& file, const std::string& group, const Analys
     };
     file.write(group + "/shock/formation_phase", number(&ShockHistory::formation_phase));
     file.write(group + "/shock/fully_formed_phase", number(&ShockHistory::fully_formed_phase));
+    file.write(group + "/shock/fully_formed_speed", number(&ShockHistory::fully_formed_speed));
     file.write(group + "/shock/leaving_phase", number(&ShockHistory::leaving_phase));
     file.write(group + "/shock/mean_speed", number(&ShockHistory::mean_speed));
     const auto count = static_cast<std::int64_t>(analysis.measures.size());

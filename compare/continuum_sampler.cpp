@@ -1,11 +1,28 @@
 // SPDX-License-Identifier: MIT
 #include "compare/continuum_sampler.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <cstddef>
+#include <span>
 
 #include "compare/md_sampler.hpp"
 
 namespace compare {
+
+namespace {
+
+/// Slope of a field in a cell, per cell: central, limited so that no value in the cell leaves the range of its
+/// neighbours (monotonised central, van Leer 1977). One-sided differences are zero at the ends of the column.
+double limited_slope(std::span<const double> values, std::size_t k) {
+    if (k == 0 || k + 1 == values.size()) return 0.0;
+    const double below = values[k] - values[k - 1], above = values[k + 1] - values[k];
+    if (below * above <= 0.0) return 0.0;
+    const double size = std::min({0.5 * std::abs(below + above), 2.0 * std::abs(below), 2.0 * std::abs(above)});
+    return std::copysign(size, below);
+}
+
+}  // namespace
 
 ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_height)
     : motion_(scene.motion),
@@ -28,15 +45,34 @@ void ContinuumSampler::sample(const continuum::Solver& solver, std::int64_t cycl
             const continuum::ColumnView column = solver.column(ix, iy);
             for (std::size_t k = 0; k < column.density.size(); ++k) {
                 const double lower = floor_height_ + dz * static_cast<double>(k);
-                moments_.add_slab(lower, lower + dz, column.density[k],
-                                  {column.velocity_x[k], column.velocity_y[k], column.velocity_z[k] + plate_velocity},
-                                  column.temperature[k], area_share);
+                const double centre = lower + 0.5 * dz;
                 mass += column.density[k];
-                moment += column.density[k] * (lower + 0.5 * dz);
+                moment += column.density[k] * centre;
+                add_cell(column, k, lower, dz, plate_velocity, area_share);
             }
         }
     }
     moments_.set_centre_of_mass(plate + moment / mass);
+}
+
+void ContinuumSampler::add_cell(const continuum::ColumnView& column, std::size_t k, double lower, double dz,
+                                double plate_velocity, double area_share) {
+    const double centre = lower + 0.5 * dz;
+    const auto at = [&](std::span<const double> values, double height) {
+        return values[k] + limited_slope(values, k) * (height - centre) / dz;
+    };
+    const fields::Bins& bins = moments_.bins();
+    double from = lower;
+    for (std::int64_t bin = bins.index(lower); from < lower + dz; ++bin) {
+        const double to = std::min(lower + dz, bins.edge(bin + 1));
+        if (to <= from) continue;
+        const double middle = 0.5 * (from + to);
+        moments_.add_slab(from, to, at(column.density, middle),
+                          {at(column.velocity_x, middle), at(column.velocity_y, middle),
+                           at(column.velocity_z, middle) + plate_velocity},
+                          at(column.temperature, middle), area_share);
+        from = to;
+    }
 }
 
 void ContinuumSampler::save(files::CheckpointWriter& out) const { moments_.save(out, "compare/continuum/"); }

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Bins what the continuum engine holds at the sample instants, by the rule that bins the particles: every cell is a
-// slab of gas that fills the bins it overlaps.
+// Bins what the continuum engine holds at the sample instants, by the rule that bins the particles. A cell that lies
+// across the edge of a bin is parted there, its fields taken linear within it: with constant ones the middles of bins
+// would shift to and fro with the ratio of bin to cell, and so would the slopes of the profile. Mass is kept exactly.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 
 #include "continuum/solver.hpp"
@@ -26,6 +28,9 @@ class ContinuumSampler {
     const fields::PhaseMoments& moments() const { return moments_; }
 
   private:
+    void add_cell(const continuum::ColumnView& column, std::size_t k, double lower, double dz, double plate_velocity,
+                  double area_share);
+
     scene::PlateMotion motion_;
     std::int64_t settle_, average_;
     double floor_height_;

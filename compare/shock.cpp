@@ -68,20 +68,54 @@ double extremum(const Usable& usable, std::size_t i, double bin_width) {
     return usable.height[i] + bin_width * parabola_offset(t[i - 1], t[i], t[i + 1]);
 }
 
-/// Height of the steepest fall of T between top and foot; slopes live half way between bins.
-double steepest_fall(const Usable& usable, const Fall& fall, double bin_width) {
-    const auto slope = [&](std::size_t i) {
-        return (usable.temperature[i - 1] - usable.temperature[i]) / (usable.height[i] - usable.height[i - 1]);
+/// Slope of the straight line of least squares through the temperatures within half a window of a height.
+double fitted_slope(const Usable& usable, double height, double half_window) {
+    double count = 0.0, sum_z = 0.0, sum_t = 0.0, sum_zz = 0.0, sum_zt = 0.0;
+    for (std::size_t i = 0; i < usable.height.size(); ++i) {
+        const double z = usable.height[i] - height;
+        if (std::abs(z) > half_window) continue;
+        count += 1.0;
+        sum_z += z;
+        sum_t += usable.temperature[i];
+        sum_zz += z * z;
+        sum_zt += z * usable.temperature[i];
+    }
+    return (count * sum_zt - sum_z * sum_t) / (count * sum_zz - sum_z * sum_z);
+}
+
+struct Steepest {
+    double height = 0.0;
+    double slope = 0.0;  // of the fall, positive
+};
+
+/// Where T falls most steeply between top and foot; slopes live half way between bins.
+Steepest steepest_fall(const Usable& usable, const Fall& fall, double bin_width, double window) {
+    // At least the two bins on either side, whatever the round-off of their heights.
+    const auto half_window = [&](std::size_t i) {
+        return std::max(0.5 * window, 0.5 * (usable.height[i] - usable.height[i - 1])) + 1e-6 * bin_width;
     };
-    std::size_t steepest = fall.top + 1;
+    std::vector<double> height, slope;
     for (std::size_t i = fall.top + 1; i <= fall.foot; ++i) {
-        if (slope(i) > slope(steepest)) steepest = i;
+        height.push_back(0.5 * (usable.height[i - 1] + usable.height[i]));
+        slope.push_back(-fitted_slope(usable, height.back(), half_window(i)));
     }
-    double height = 0.5 * (usable.height[steepest - 1] + usable.height[steepest]);
-    if (steepest > fall.top + 1 && steepest < fall.foot) {
-        height += bin_width * parabola_offset(slope(steepest - 1), slope(steepest), slope(steepest + 1));
+    const auto k = static_cast<std::size_t>(std::max_element(slope.begin(), slope.end()) - slope.begin());
+    Steepest steepest{height[k], slope[k]};
+    if (k > 0 && k + 1 < slope.size()) {
+        steepest.height += bin_width * parabola_offset(slope[k - 1], slope[k], slope[k + 1]);
     }
-    return height;
+    return steepest;
+}
+
+/// Mean density from the layer's lower edge up to a height, at least of the lowest bin.
+double density_below(const fields::Profile& profile, const Layer& layer, double height) {
+    double sum = 0.0, count = 0.0;
+    for (std::int64_t i = layer.first_bin; i <= layer.last_bin; ++i) {
+        if (i > layer.first_bin && profile.bins.centre(i) > height) break;
+        sum += profile.density[static_cast<std::size_t>(i)];
+        count += 1.0;
+    }
+    return sum / count;
 }
 
 /// Density at a height, linear between bin centres.
@@ -101,15 +135,20 @@ std::optional<Shock> find_shock(const fields::Profile& profile, const Layer& lay
                                 const Medium& medium, const ShockCriteria& criteria) {
     const Usable usable(profile, criteria.thinnest * layer_volume_fraction);
     std::optional<Fall> best;
+    Steepest steepest;
     double best_drop = 0.0;
     for (const Fall& fall : find_falls(usable.temperature, criteria.prominence)) {
         const std::size_t top = usable.bin[fall.top], foot = usable.bin[fall.foot];
-        const bool falls_towards_plate = profile.velocity[foot] < profile.plate_velocity;
-        const bool crosses_sound = mach[foot] > 1.0 && mach[top] < 1.0;
         const double drop = profile.temperature[top] - profile.temperature[foot];
+        const bool falls_towards_plate = profile.velocity[foot] < profile.plate_velocity;
+        // A bin packed beyond the equation of state has no Mach number, and is as subsonic as can be.
+        const bool crosses_sound = mach[foot] > 1.0 && !(mach[top] >= 1.0);
         if (!falls_towards_plate || !crosses_sound || drop <= best_drop) continue;
+        const Steepest place = steepest_fall(usable, fall, profile.bins.width, criteria.window);
+        if (density_below(profile, layer, place.height) < criteria.compression * profile.density[foot]) continue;
         best = fall;
         best_drop = drop;
+        steepest = place;
     }
     if (!best) return std::nullopt;
 
@@ -117,7 +156,8 @@ std::optional<Shock> find_shock(const fields::Profile& profile, const Layer& lay
     Shock shock;
     shock.top = extremum(usable, best->top, profile.bins.width);
     shock.foot = extremum(usable, best->foot, profile.bins.width);
-    shock.location = steepest_fall(usable, *best, profile.bins.width);
+    shock.location = steepest.height;
+    shock.steepest_slope = steepest.slope;
     shock.temperature_top = profile.temperature[top];
     shock.temperature_foot = profile.temperature[foot];
     shock.mach_above = mach[foot];

@@ -66,8 +66,9 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
     history.formation_location = at(run->first).shock->location;
     history.approach_mach = at(run->first - 1).maximum_mach.value;
     history.leaving_phase = history.leaving_location = history.mean_speed = std::nan("");
+    history.fully_formed_phase = history.fully_formed_speed = std::nan("");
 
-    double widest = 0.0, excess_before = std::nan("");
+    double excess_before = std::nan(""), fully_formed_location = std::nan("");
     std::int64_t before = run->first;
     history.last = run->first;
     for (std::int64_t i = run->first; i < run->first + count && i - before <= gap + 1; ++i) {
@@ -81,13 +82,20 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
             const double location_before = at(before).shock->location;
             history.leaving_phase = phase_before + share * (phase - phase_before);
             history.leaving_location = location_before + share * (shock.location - location_before);
-            history.mean_speed = (history.leaving_location - history.formation_location) * frequency /
-                                 (history.leaving_phase - history.formation_phase);
+            const auto speed_from = [&](double location, double since) {
+                return (history.leaving_location - location) * frequency / (history.leaving_phase - since);
+            };
+            history.mean_speed = speed_from(history.formation_location, history.formation_phase);
+            history.fully_formed_speed = speed_from(fully_formed_location, history.fully_formed_phase);
             break;
         }
-        if (shock.width() / shock.mean_free_path > widest) {
-            widest = shock.width() / shock.mean_free_path;
+        const bool has_left_plate = shock.top - at(i).layer->lower > shock.location - shock.top;
+        if (!has_left_plate) {
+            history.fully_formed_phase = std::nan("");
+        } else if (std::isnan(history.fully_formed_phase)) {
             history.fully_formed_phase = phase;
+            history.first_fully_formed = i;
+            fully_formed_location = shock.location;
         }
         excess_before = excess;
         before = i;

@@ -24,25 +24,33 @@ struct PhaseMeasures {
 PhaseMeasures measure_phase(const fields::Profile& profile, const Medium& medium, const ShockCriteria& criteria = {});
 
 struct ShockHistory {
-    std::int64_t first = 0, last = 0;  // phase indices; last may exceed the number of phases by less than one cycle
-    double formation_phase = 0.0;      // first phase with a shock inside the layer; resolved to one phase
-    double leaving_phase = 0.0;        // its location passes the layer's upper edge; interpolated between phases
-    double formation_location = 0.0;   // above the plate, sigma
+    std::int64_t first = 0, last = 0;     // phase indices; last may exceed the number of phases by less than one cycle
+    std::int64_t first_fully_formed = 0;  // phase index, as the two above
+    double formation_phase = 0.0;         // first phase with a shock inside the layer; resolved to one phase
+    double leaving_phase = 0.0;           // its location passes the layer's upper edge; interpolated between phases
+    double formation_location = 0.0;      // above the plate, sigma
     double leaving_location = 0.0;
-    double mean_speed = 0.0;          // in the frame of the plate, between the two, sqrt(g sigma)
-    double fully_formed_phase = 0.0;  // width over mean free path at the location is at its greatest
-    double approach_mach = 0.0;       // greatest Mach number in the layer at the last phase before formation
+    double mean_speed = 0.0;  // in the frame of the plate, between the two, sqrt(g sigma)
+    /// First phase from which on the top has left the plate: it is nearer to the location than to the layer's lower
+    /// edge, so that T rises with height in most of the compressed part. Until then T falls all the way from the plate.
+    double fully_formed_phase = 0.0;
+    double fully_formed_speed =
+        0.0;                     // mean from then to leaving; unlike mean_speed it needs no location near the plate
+    double approach_mach = 0.0;  // greatest Mach number in the layer at the last phase before formation
 
     /// Whether a phase index lies between formation and leaving, round the cycle.
     bool follows(std::int64_t phase, std::int64_t phases) const {
         return ((phase - first) % phases + phases) % phases <= last - first;
+    }
+    bool follows_fully_formed(std::int64_t phase, std::int64_t phases) const {
+        return ((phase - first_fully_formed) % phases + phases) % phases <= last - first_fully_formed;
     }
 };
 
 /// Follows the longest run of phases with a shock, circularly: a cycle has no preferred start. Gaps up to a hundredth
 /// of a cycle are bridged, since noise may hide a shock at one phase. Frequency in sqrt(g/sigma).
 /// None where no run of at least 3 % of a cycle lies inside the layer. leaving_phase may exceed 1; it is NaN, and so
-/// is mean_speed, where the location never passes the upper edge.
+/// are the speeds, where the location never passes the upper edge.
 std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency);
 
 }  // namespace compare

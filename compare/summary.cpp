@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <utility>
 
 namespace compare {
 
@@ -68,6 +69,7 @@ Json engine(const Measured& measured, bool with_error) {
     put(shock, "fully_formed_phase", with_resolution(history(&ShockHistory::fully_formed_phase), step), with_error);
     put(shock, "leaving_phase", history(&ShockHistory::leaving_phase), with_error);
     put(shock, "mean_speed", history(&ShockHistory::mean_speed), with_error);
+    put(shock, "fully_formed_speed", history(&ShockHistory::fully_formed_speed), with_error);
 
     put(out, "max_mach", history(&ShockHistory::approach_mach), with_error);
     const auto at_profile_phase = [&](const std::function<double(const Shock&)>& number) {
@@ -77,6 +79,9 @@ Json engine(const Measured& measured, bool with_error) {
         with_error);
     put(out, "width_over_mean_free_path_foot",
         at_profile_phase([](const Shock& s) { return s.width() / s.mean_free_path_foot; }), with_error);
+    put(out, "slope_width_over_mean_free_path_foot",
+        at_profile_phase([](const Shock& s) { return s.slope_width() / s.mean_free_path_foot; }), with_error);
+    put(out, "shock_slope_width", at_profile_phase([](const Shock& s) { return s.slope_width(); }), with_error);
     put(out, "shock_width", at_profile_phase([](const Shock& s) { return s.width(); }), with_error);
     put(out, "shock_mach", at_profile_phase([](const Shock& s) { return s.mach_above; }), with_error);
     return out;
@@ -101,14 +106,19 @@ double centre_of_mass_rms_percent(const std::vector<double>& continuum, const st
     return 100.0 * std::sqrt(squares / static_cast<double>(compared_phases));
 }
 
-double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift) {
+double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift, Life life) {
     if (!continuum.history || !md.history || continuum.measures.size() != md.measures.size()) return std::nan("");
     const auto count = static_cast<std::int64_t>(md.measures.size());
+    const auto is_counted = [&](const ShockHistory& history, std::int64_t phase) {
+        if (life == Life::formation_to_leaving) return history.follows(phase, count);
+        return !std::isnan(history.fully_formed_phase) && history.follows_fully_formed(phase, count);
+    };
     double squares = 0.0;
     std::int64_t phases = 0;
-    for (std::int64_t i = md.history->first; i <= md.history->last; ++i) {
-        const auto k = static_cast<std::size_t>(i % count);
-        if (!continuum.history->follows(i, count) || !md.measures[k].shock || !continuum.measures[k].shock) continue;
+    for (std::int64_t i = 0; i < count; ++i) {
+        const auto k = static_cast<std::size_t>(i);
+        if (!is_counted(*md.history, i) || !is_counted(*continuum.history, i)) continue;
+        if (!md.measures[k].shock || !continuum.measures[k].shock) continue;
         const double difference = continuum.measures[k].shock->location + lift - md.measures[k].shock->location;
         squares += difference * difference;
         ++phases;
@@ -138,11 +148,15 @@ nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, 
     };
     put(out, "zcm_rms_percent", of_both(md, continuum.all, rms_percent(0.0)), true);
     put(out, "zcm_rms_percent_half_diameter", of_both(md, continuum.all, rms_percent(half_diameter)), true);
-    const auto location_rms = [](double lift) {
-        return [lift](const Analysis& c, const Analysis& m) { return shock_location_rms(c, m, lift); };
+    const auto location_rms = [](double lift, Life life) {
+        return [lift, life](const Analysis& c, const Analysis& m) { return shock_location_rms(c, m, lift, life); };
     };
-    put(out, "shock_location_rms", of_both(md, continuum.all, location_rms(0.0)), true);
-    put(out, "shock_location_rms_half_diameter", of_both(md, continuum.all, location_rms(half_diameter)), true);
+    for (const auto& [suffix, life] :
+         {std::pair{"", Life::formation_to_leaving}, std::pair{"_fully_formed", Life::fully_formed_to_leaving}}) {
+        const std::string key = std::string("shock_location_rms") + suffix;
+        put(out, key, of_both(md, continuum.all, location_rms(0.0, life)), true);
+        put(out, key + "_half_diameter", of_both(md, continuum.all, location_rms(half_diameter, life)), true);
+    }
     return out;
 }
 

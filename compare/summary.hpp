@@ -30,9 +30,13 @@ inline constexpr std::int64_t compared_phases = 20;
 double centre_of_mass_rms_percent(const std::vector<double>& continuum, const std::vector<double>& md,
                                   double lift = 0.0);
 
-/// Root mean square of the difference of shock locations, sigma, over the phases at which both have a shock whose
-/// location lies in the layer; NaN where there is no such phase. `lift` as above.
-double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift = 0.0);
+/// Which part of a shock's life is compared.
+enum class Life { formation_to_leaving, fully_formed_to_leaving };
+
+/// Root mean square of the difference of shock locations, sigma, over the phases at which both have a shock in the
+/// layer; NaN where there is no such phase. `lift` as above.
+double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift = 0.0,
+                          Life life = Life::formation_to_leaving);
 
 nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, const scene::Scene& scene,
                                  const Cost& md_cost, const Cost& continuum_cost);

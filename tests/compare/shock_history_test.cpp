@@ -65,6 +65,23 @@ TEST_CASE("noise in every bin leaves the history within a percent of a cycle") {
     }
 }
 
+TEST_CASE("a shock is fully formed once T rises from the plate to its top") {
+    // From phase 20 on T falls from the plate to the front; from phase 26 on it rises to the front first.
+    std::vector<fields::Profile> profiles(100, synthetic::quiet_profile({0.0, 0.5, 80}));
+    for (std::size_t k = 20; k < 50; ++k) {
+        profiles[k] = synthetic::Front{.location = 5.0 + 0.5 * static_cast<double>(k - 20)}.profile({0.0, 0.5, 80});
+        for (std::size_t i = 0; i < 10 && k < 26; ++i) profiles[k].temperature[i] += 4.0 - 0.4 * static_cast<double>(i);
+    }
+    const auto history = compare::follow_shock(synthetic::measure(profiles), frequency);
+    REQUIRE(history);
+    CHECK(history->formation_phase == Approx(0.20));
+    CHECK(history->fully_formed_phase == Approx(0.26));
+    CHECK(history->fully_formed_speed == Approx(0.5 * 100 * frequency).epsilon(0.02));  // truncation, as above
+    CHECK_FALSE(history->follows_fully_formed(25, 100));
+    CHECK(history->follows_fully_formed(26, 100));
+    CHECK_FALSE(history->follows(19, 100));
+}
+
 TEST_CASE("where a cycle begins does not change what is found in it") {
     const auto measures = Cycle{}.measures();
     auto rotated = measures;
