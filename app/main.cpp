@@ -9,6 +9,7 @@
 #include <boost/version.hpp>
 #include <cstdio>
 
+#include "app/bench_command.hpp"
 #include "app/compare_command.hpp"
 #include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
@@ -110,6 +111,36 @@ int dispatch(int argc, char** argv) {
     scene_command->add_flag("--keys", list_keys, "every key with its unit, range, default and meaning")
         ->excludes(scene_file);
 
+    auto* bench = command.add_subcommand("bench", "how fast the engines are on this machine, as one line of JSON");
+    bench->require_subcommand(1);
+    MdBench md_options;
+    auto* bench_md = bench->add_subcommand("md", "a uniform elastic gas, or a scene");
+    auto* bench_scene =
+        bench_md->add_option("SCENE", md_options.scene_file, "scene file; without: a uniform elastic gas");
+    bench_md->add_option("--set", md_options.overrides, "section.key=value")
+        ->take_all()
+        ->allow_extra_args(false)
+        ->needs(bench_scene);
+    bench_md->add_option("--cycles", md_options.cycles, "cycles timed")
+        ->check(CLI::Range(1, 1000000))
+        ->needs(bench_scene);
+    bench_md->add_option("--settle", md_options.settle, "cycles before timing")
+        ->check(CLI::Range(0, 1000000))
+        ->needs(bench_scene);
+    bench_md->add_option("--particles", md_options.particles, "of the gas")
+        ->check(CLI::Range(2, 100000000))
+        ->excludes(bench_scene);
+    bench_md->add_option("--volume-fraction", md_options.volume_fraction, "of the gas")
+        ->check(CLI::Range(1e-6, 0.6))
+        ->excludes(bench_scene);
+    bench_md->add_option("--collisions", md_options.collisions, "pair collisions timed")->excludes(bench_scene);
+    ContinuumBench continuum_options;
+    auto* bench_continuum = bench->add_subcommand("continuum", "a shaken layer on a grid");
+    bench_continuum->add_option("--dimension", continuum_options.dimension, "1, 2 or 3")->check(CLI::Range(1, 3));
+    bench_continuum->add_option("--cells", continuum_options.cells, "NZ, NXxNZ or NXxNYxNZ");
+    bench_continuum->add_option("--steps", continuum_options.steps, "steps timed")->check(CLI::Range(1, 100000000));
+    bench_continuum->add_option("--scheme", continuum_options.scheme, "as in [continuum] scheme");
+
     if (const std::string message = unknown_command(command, argc, argv); !message.empty())
         return refuse_usage(message);
     try {
@@ -125,6 +156,8 @@ int dispatch(int argc, char** argv) {
     if (*run) code = run_both(options);
     if (*md) code = run_md(options);
     if (*continuum) code = run_continuum(options);
+    if (*bench && *bench_md) code = run_md_bench(md_options);
+    if (*bench && *bench_continuum) code = run_continuum_bench(continuum_options);
     if (*compare) code = run_compare(folder);
     if (*report) code = run_report(folder);
     if (*scene_command)
@@ -157,6 +190,8 @@ int main(int argc, char** argv) {
         return refuse(error, exit_code::cannot_create);
     } catch (const files::WriteFailed& error) {
         return refuse(error, exit_code::write_failed);
+    } catch (const UsageError& error) {
+        return refuse(error, exit_code::usage);
     } catch (const std::exception& error) {
         return refuse(error, exit_code::run_failed);
     }

@@ -4,10 +4,16 @@
 
 #include <filesystem>
 #include <limits>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 namespace app {
+
+/// A command line that cannot be meant; exit code 2.
+struct UsageError : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
 
 struct EngineOptions {
     std::filesystem::path scene_file;
