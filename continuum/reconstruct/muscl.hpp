@@ -14,11 +14,11 @@ struct Muscl {
     static constexpr std::size_t first_cell = 1, last_cell = 4;  // of the six around a face
 
     template <class Cells>
-    static double left(const Cells& q) {
+    [[gnu::always_inline]] static double left(const Cells& q) {
         return q[2] + 0.5 * Limiter::slope(q[2] - q[1], q[3] - q[2]);
     }
     template <class Cells>
-    static double right(const Cells& q) {
+    [[gnu::always_inline]] static double right(const Cells& q) {
         return q[3] - 0.5 * Limiter::slope(q[3] - q[2], q[4] - q[3]);
     }
 };
