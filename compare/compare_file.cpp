@@ -116,6 +116,8 @@ void write_measures(const EngineGroup& group) {
                  of_shock([](const Shock& s) { return s.width() / s.mean_free_path; }));
     group.phases("shock/width_over_mean_free_path_foot", "1",
                  of_shock([](const Shock& s) { return s.width() / s.mean_free_path_foot; }));
+    group.phases("shock/slope_width_over_mean_free_path_foot", "1",
+                 of_shock([](const Shock& s) { return s.slope_width() / s.mean_free_path_foot; }));
     group.phases("shock/inside_layer", "1", of_shock([](const Shock& s) { return s.inside_layer ? 1.0 : 0.0; }));
 }
 

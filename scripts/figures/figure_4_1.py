@@ -14,7 +14,8 @@ PHASES = (0.0, 0.15, 0.22, 0.40)
 CAPTION = (
     "Figure 4.1. Granular temperature (red, upper axis) and volume fraction (blue, lower axis) against height at four "
     "phases: MD (markers, bars of one standard error) and continuum (lines). Left: the particles of one cycle, seen from the "
-    "side, coloured by the temperature at their height. Grey: shock region of the continuum; black: the plate."
+    "side, coloured by the temperature at their height. Grey: shock region of the continuum; black: the plate. Within two diameters "
+    "of the plate spheres stand in planes: the first of them lies beyond the axis."
 )
 # Bins thinner than this share of the layer's threshold hold too few particles for a temperature.
 THINNEST = 0.2
@@ -24,7 +25,7 @@ def draw(run):
     indices = [run.nearest(p) for p in PHASES]
     top = upper_limit(run, indices)
     hottest = temperature_limit(run, indices, top)
-    figure, axes = plt.subplots(len(PHASES), 2, figsize=(7.0, 11.0), sharey=True, width_ratios=(0.62, 1))
+    figure, axes = plt.subplots(len(PHASES), 2, figsize=(7.0, 10.5), sharey=True, width_ratios=(0.5, 1))
     columns = {name: [] for name in ("ft", "z/sigma", "nu MD", "nu MD error", "T MD/(g sigma)", "T MD error/(g sigma)",
                                      "nu continuum", "T continuum/(g sigma)")}
     colours = None
@@ -42,8 +43,9 @@ def draw(run):
 
 
 def upper_limit(run, indices):
-    """A little above the layer at the latest phase, in multiples of ten."""
-    upper = np.nanmax(np.concatenate([(e("layer/upper") + run.plate_height)[indices] for e in (run.md, run.continuum)]))
+    """A little above the layer at the last phase shown, in multiples of ten: where the shock has been by then."""
+    last = indices[-1]
+    upper = np.nanmax([engine("layer/upper")[last] for engine in (run.md, run.continuum)]) + run.plate_height[last]
     return 10.0 * np.ceil((upper + 3.0) / 10.0)
 
 
@@ -100,11 +102,11 @@ def draw_profiles(axis, run, index, hottest, is_first, is_last):
             points(warm, temperature, z, engine.error("temperature")[index], marker="o", ms=2.6, color=TEMPERATURE)
         else:
             warm.plot(temperature, z, color=TEMPERATURE)
-    axis.set_xlim(0, 0.65)
+    axis.set_xlim(0, 0.7)
     warm.set_xlim(0, hottest)
     warm.tick_params(axis="x", colors=TEMPERATURE, labeltop=is_first)
     axis.tick_params(axis="x", top=False, which="both", colors=DENSITY, labelbottom=is_last)
-    axis.text(0.97, 0.93, f"$ft = {run.phase[index]:.2f}$", transform=axis.transAxes, ha="right", va="top")
+    axis.text(0.97, 0.6, f"$ft = {run.phase[index]:.2f}$", transform=axis.transAxes, ha="right", va="center")
     if is_first:
         warm.set_xlabel(r"$T/(g\sigma)$", color=TEMPERATURE)
     if is_last:

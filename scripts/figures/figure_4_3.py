@@ -12,7 +12,8 @@ NAME = "figure_4_3"
 PHASE = 0.22
 CAPTION = (
     "Figure 4.3. Mach number with respect to the plate (dashed line: continuum, triangles: MD) and ten times the volume "
-    "fraction (solid line: continuum, circles: MD) against height at ft = 0.22. Bars are one standard error."
+    "fraction (solid line: continuum, circles: MD) against height at ft = 0.22. Bars are one standard error. "
+    "Dotted: Ma = 1. The spread of MD densities next to the plate is no noise: spheres stand in planes there."
 )
 
 
@@ -32,7 +33,7 @@ def draw(run):
            mfc="none", label=r"$10\,\nu$, MD")
     axis.axvline(1.0, color="0.6", lw=0.8, ls=":")
     axis.axhline(plate, color=PLATE, lw=2)
-    axis.text(axis.get_xlim()[1] * 0.98, plate + 0.2, "plate", ha="right", va="bottom", fontsize=9)
+    axis.text(axis.get_xlim()[1] * 0.97, plate - 0.4, "plate", ha="right", va="top", fontsize=9)
     upper = np.nanmax([run.md("layer/upper")[index], run.continuum("layer/upper")[index]]) + plate
     axis.set_ylim(max(0.0, plate - 3), 5 * np.ceil((upper + 3) / 5))
     axis.set_xlim(left=0)

@@ -50,7 +50,8 @@ def page(run, images):
 <title>shaken: {name}</title><style>{STYLE}</style></head><body>
 <h1>{name}: molecular dynamics and hydrodynamics of one shaken layer</h1>
 <p>Lengths in particle diameters, times in (diameter/gravity)<sup>1/2</sup>. MD numbers carry one standard error (blocks of
-cycles left out in turn). A verdict is given only where the source, or its reproduction, states a tolerance.</p>
+cycles left out in turn). A verdict (MD / continuum) is given only where a bound
+or a tolerance was stated beforehand.</p>
 <h2>Numbers beside the published ones</h2>
 {number_table(run.summary, references)}
 {origins(references)}
@@ -85,7 +86,8 @@ def number_table(summary, references):
 def row(cells, verdicts):
     body = "".join(c if c.startswith("<td") else f'<td class="number">{c}</td>' if i else f"<td>{c}</td>" for i, c in enumerate(cells))
     marks = [f'<span class="{"yes" if v else "no"}">{"yes" if v else "no"}</span>' for v in verdicts if v is not None]
-    return f"<tr>{body}<td>{', '.join(marks) or '&ndash;'}</td></tr>"
+    mark = " / ".join(marks) or "&ndash;"
+    return f'<tr>{body}<td class="number">{mark}</td></tr>'
 
 
 def find(values, key):
