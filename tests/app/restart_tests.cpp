@@ -66,8 +66,8 @@ TEST_CASE("a killed run resumes from its last checkpoint to the same data") {
 TEST_CASE("TERM stops with a checkpoint and 75, and the message says how to go on") {
     const support::TemporaryFolder folder;
     const std::string out = (folder / "a").string();
-    const auto result = const auto result = support::shell("timeout --preserve-status -s TERM 0.3 " SHAKEN_COMMAND " " +
-                                                           engine_command("md", out) + " --set sample.average=2000");
+    const auto result = support::shell("timeout --preserve-status -s TERM 0.3 " SHAKEN_COMMAND " " +
+                                       engine_command("md", out) + " --set sample.average=2000");
     CHECK(result.code == 75);
     CHECK_THAT(result.text, Contains("go on with: shaken md --resume"));
     CHECK(std::filesystem::exists(out + "/md.checkpoint"));
