@@ -4,8 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 #include <variant>
 
 #include "md/errors.hpp"
@@ -22,15 +20,8 @@ double choose_shell(const Setup& setup) {
     if (allowed < narrowest)
         throw CannotSetUp(fmt::format("md: a periodic box must measure at least {} diameters, not {}",
                                       2.0 + 4.0 * narrowest, shortest));
-    if (setup.options.shell > 0.0) return std::min(setup.options.shell, allowed);
-    double wanted = 0.4;
-    if (box.periodic_z) {
-        const double fraction =
-            static_cast<double>(setup.start.position.size()) * std::numbers::pi / 6.0 / (box.x * box.y * box.z);
-        constexpr double neighbours = 14.0;
-        wanted = std::cbrt(neighbours / (8.0 * fraction)) - 1.0;
-    }
-    return std::min(std::max(wanted, narrowest), allowed);
+    constexpr double widest = 1.0;  // found by bench/md.md
+    return std::min(setup.options.shell > 0.0 ? setup.options.shell : widest, allowed);
 }
 
 std::unique_ptr<Engine> make_engine(const Setup& setup) {

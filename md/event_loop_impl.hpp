@@ -27,7 +27,7 @@ inline constexpr double contact_tolerance = 1e-7;
 inline constexpr std::int64_t stall_events = 100000;
 inline constexpr double stall_time = 1e-7;
 
-/// Reach of a list that holds about 14 neighbours, within what the box allows; a layer is as dense as a packing.
+/// The widest sum of two half shells: what the options say, or the default, within what the box allows.
 double choose_shell(const Setup& setup);
 
 template <class Law, bool Layered>
@@ -168,17 +168,17 @@ ContactEvent EventLoop<Law, Layered>::advance_contact() {
 template <class Law, bool Layered>
 void EventLoop<Law, Layered>::predict(std::uint32_t i) {
     const Particle& p = particles_[i];
+    const NeighbourLists::Centre& centre = neighbours_.centre(i);
     const Contact contact = nearest_contact(p, now_, neighbours_.of(i), particles_.data(), neighbours_.x(),
-                                            neighbours_.y(), neighbours_.z());
+                                            neighbours_.y(), neighbours_.z(), neighbours_.inside(centre));
     double delay = contact.delay;
     std::uint32_t partner = contact.partner;
 
-    const NeighbourLists::Centre& centre = neighbours_.centre(i);
-    const double dx = p.x - centre.x, dy = p.y - centre.y, dz = p.z - centre.z;
+    const double dx = p.x - centre.x, dy = p.y - centre.y, dz = p.z - neighbours_.shift() - centre.z;
     const double r_dot_v = dx * p.velocity_x + dy * p.velocity_y + dz * p.velocity_z;
     const double r_squared = dx * dx + dy * dy + dz * dz;
     const double v_squared = p.velocity_x * p.velocity_x + p.velocity_y * p.velocity_y + p.velocity_z * p.velocity_z;
-    const double free = neighbours_.free_radius_squared();
+    const double free = static_cast<double>(centre.half_shell) * static_cast<double>(centre.half_shell);
     // Still inside when the contact comes? Then no root is needed.
     if (delay == never || r_squared + delay * (2.0 * r_dot_v + delay * v_squared) > free) {
         const double leaving = time_to_leave(r_dot_v, r_squared, v_squared, free);

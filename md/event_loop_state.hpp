@@ -15,7 +15,7 @@ Snapshot EventLoop<Law, Layered>::snapshot() const {
     shot.velocity.resize(particles_.size());
     for (Particle p : particles_) {
         p.move_to(now_);
-        const double height = Layered ? p.z + frame_.displacement(now_) : neighbours_.z().wrapped(p.z);
+        const double height = neighbours_.z().wrapped(p.z) + frame_.displacement(now_);
         shot.position[p.id] = {neighbours_.x().wrapped(p.x), neighbours_.y().wrapped(p.y), height};
         shot.velocity[p.id] = {p.velocity_x, p.velocity_y, p.velocity_z + frame_.velocity(now_)};
     }

@@ -2,195 +2,164 @@
 #include "md/neighbour_lists.hpp"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 
+#include "files/errors.hpp"
 #include "md/errors.hpp"
 
 namespace md {
 
 namespace {
 
-constexpr std::uint32_t end = 0xffffffffu;
+constexpr double wanted_neighbours = 16.0;  // found by bench/md.md
+constexpr std::size_t first_stride = 28;    // one word for the count, three quarters more than wanted
 
-std::int32_t cells_across(double length, double reach) {
-    return std::max(1, static_cast<std::int32_t>(std::floor(length / reach)));
+bool holds(std::span<const std::uint32_t> list, std::uint32_t wanted) {
+    unsigned found = 0;  // no early exit: short lists are compared eight at a time
+    for (const std::uint32_t j : list) found |= static_cast<unsigned>(j == wanted);
+    return found != 0;
 }
 
 }  // namespace
 
-std::int32_t NeighbourLists::Axis::index(double position, double origin) const {
-    const double scaled = (position - origin) * per_length;
-    if (repeats) return static_cast<std::int32_t>(static_cast<std::int64_t>(std::floor(scaled)) & (count - 1));
-    return std::clamp(static_cast<std::int32_t>(scaled), 0, count - 1);
+NeighbourLists::NeighbourLists(const Box& box, double widest, std::size_t particles)
+    : widest_(widest),
+      x_(box.x),
+      y_(box.y),
+      z_(box.periodic_z ? Periodic(box.z) : Periodic()),
+      cells_(box, 1.0 + widest, particles),
+      stride_(first_stride),
+      centres_(particles),
+      rows_(particles * stride_) {}
+
+/// Half shell at which the list would have the wanted length, going by its present one; at most a quarter at a time.
+float NeighbourLists::adapted(float half_shell, std::size_t neighbours) const {
+    const double reach = 1.0 + 2.0 * static_cast<double>(half_shell);
+    const double ratio = std::cbrt(wanted_neighbours / std::max(1.0, static_cast<double>(neighbours)));
+    const double half = 0.5 * (reach * std::clamp(ratio, 0.8, 1.25) - 1.0);
+    return static_cast<float>(std::clamp(half, 0.1 * widest_, 0.5 * widest_));
 }
 
-NeighbourLists::NeighbourLists(const Box& box, double shell, std::size_t particles)
-    : shell_(shell), x_(box.x), y_(box.y), z_(box.periodic_z ? Periodic(box.z) : Periodic()) {
-    const double reach = (1.0 + shell) * (1.0 + 1e-9);  // round-off must not put neighbours two cells apart
-    const auto tiled = [&](double length) {
-        const std::int32_t count = cells_across(length, reach);
-        return Axis{count / length, count, false};
-    };
-    axis_x_ = tiled(box.x);
-    axis_y_ = tiled(box.y);
-    if (box.periodic_z) {
-        axis_z_ = tiled(box.z);
-    } else {
-        // Twice the height of the packed layer is enough; what flies higher shares cells with what lies below.
-        const double packed = static_cast<double>(particles) / (box.x * box.y);
-        const double height = std::min(box.z, 8.0 + 4.0 * packed);
-        axis_z_ = {1.0 / reach, static_cast<std::int32_t>(std::bit_ceil(static_cast<unsigned>(height / reach) + 4)),
-                   true};
-    }
-    // A packed layer (0.74 close packed) has at most this many centres in reach; make_room() serves the rest.
-    capacity_ = static_cast<std::size_t>(std::ceil(8.0 * 0.7 * reach * reach * reach)) + 4;
-    capacity_ = (capacity_ + 3) / 4 * 4;
-    centres_.resize(particles);
-    neighbours_.resize(particles * capacity_);
-    cell_next_.resize(particles);
-    cell_previous_.resize(particles);
-    cell_first_.resize(static_cast<std::size_t>(axis_x_.count) * axis_y_.count * axis_z_.count);
-}
-
-std::uint32_t NeighbourLists::cell_of(const Centre& c) const {
-    const std::int32_t ix = axis_x_.index(c.x, 0.0), iy = axis_y_.index(c.y, 0.0);
-    const std::int32_t iz = axis_z_.index(c.z, axis_z_.repeats ? origin_z_ : 0.0);
-    return static_cast<std::uint32_t>((iz * axis_y_.count + iy) * axis_x_.count + ix);
-}
-
-void NeighbourLists::enter_cell(std::uint32_t i) {
-    std::uint32_t& first = cell_first_[centres_[i].cell];
-    cell_next_[i] = first;
-    cell_previous_[i] = end;
-    if (first != end) cell_previous_[first] = i;
-    first = i;
-}
-
-void NeighbourLists::leave_cell(std::uint32_t i) {
-    if (cell_previous_[i] == end)
-        cell_first_[centres_[i].cell] = cell_next_[i];
-    else
-        cell_next_[cell_previous_[i]] = cell_next_[i];
-    if (cell_next_[i] != end) cell_previous_[cell_next_[i]] = cell_previous_[i];
-}
-
-template <class Visit>
-void NeighbourLists::visit_around(std::uint32_t i, Visit visit) const {
+NeighbourCells::Entry NeighbourLists::entry(std::uint32_t i) const {
     const Centre& c = centres_[i];
-    const double reach_squared = (1.0 + shell_) * (1.0 + shell_);
-    const auto cell = static_cast<std::int32_t>(c.cell);
-    const std::int32_t ix = cell % axis_x_.count, iy = cell / axis_x_.count % axis_y_.count;
-    const std::int32_t iz = cell / (axis_x_.count * axis_y_.count);
-    for (std::int32_t dz = axis_z_.first_offset(); dz <= axis_z_.last_offset(); ++dz)
-        for (std::int32_t dy = axis_y_.first_offset(); dy <= axis_y_.last_offset(); ++dy) {
-            const std::int32_t row = (axis_z_.step(iz, dz) * axis_y_.count + axis_y_.step(iy, dy)) * axis_x_.count;
-            for (std::int32_t dx = axis_x_.first_offset(); dx <= axis_x_.last_offset(); ++dx)
-                for (std::uint32_t j = cell_first_[static_cast<std::size_t>(row + axis_x_.step(ix, dx))]; j != end;
-                     j = cell_next_[j]) {
-                    const double rx = x_.image(centres_[j].x - c.x), ry = y_.image(centres_[j].y - c.y);
-                    const double rz = axis_z_.repeats ? centres_[j].z - c.z : z_.image(centres_[j].z - c.z);
-                    if (rx * rx + ry * ry + rz * rz < reach_squared && j != i) visit(j);
-                }
-        }
+    return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), c.half_shell, i};
+}
+
+void NeighbourLists::place(std::uint32_t i, Particle& p) {
+    p.x = x_.wrapped(p.x);
+    p.y = y_.wrapped(p.y);
+    p.z = z_.wrapped(p.z);
+    Centre& c = centres_[i];
+    c.x = p.x;
+    c.y = p.y;
+    c.z = p.z - shift_;
+    c.cell = cells_.cell_of(c.x, c.y, c.z);
+}
+
+void NeighbourLists::write_row(std::uint32_t i, std::span<const std::uint32_t> neighbours) {
+    if (neighbours.size() >= stride_) make_room(neighbours.size());
+    row(i)[0] = static_cast<std::uint32_t>(neighbours.size());
+    std::copy(neighbours.begin(), neighbours.end(), row(i) + 1);
 }
 
 void NeighbourLists::add(std::uint32_t i, std::uint32_t neighbour) {
-    if (centres_[i].count == capacity_) make_room();
-    list(i)[centres_[i].count++] = neighbour;
+    if (row(i)[0] + 1 >= stride_) make_room(stride_);
+    std::uint32_t* const list = row(i);
+    list[++list[0]] = neighbour;
 }
 
 void NeighbourLists::remove(std::uint32_t i, std::uint32_t neighbour) {
-    std::uint32_t* const first = list(i);
-    std::uint32_t* const last = first + centres_[i].count;
-    std::uint32_t* const found = std::find(first, last, neighbour);
-    if (found == last) throw InvariantBroken("md: neighbour lists are no longer mutual");
-    *found = *(last - 1);
-    --centres_[i].count;
+    std::uint32_t* const list = row(i);
+    std::uint32_t* const last = list + list[0];
+    std::uint32_t* const found = std::find(list + 1, last + 1, neighbour);
+    if (found == last + 1) throw InvariantBroken("md: neighbour lists are no longer mutual");
+    *found = *last;
+    --list[0];
 }
 
-void NeighbourLists::make_room() {
-    const std::size_t wider = capacity_ + 8;
+void NeighbourLists::make_room(std::size_t neighbours) {
+    const std::size_t wider = (neighbours + 8) / 4 * 4;
     std::vector<std::uint32_t> roomy(centres_.size() * wider);
     for (std::size_t i = 0; i < centres_.size(); ++i)
-        std::copy_n(neighbours_.data() + i * capacity_, centres_[i].count, roomy.data() + i * wider);
-    neighbours_ = std::move(roomy);
-    capacity_ = wider;
+        std::copy_n(rows_.data() + i * stride_, rows_[i * stride_] + 1, roomy.data() + i * wider);
+    rows_ = std::move(roomy);
+    stride_ = wider;
 }
 
 void NeighbourLists::build(std::span<Particle> particles) {
-    std::fill(cell_first_.begin(), cell_first_.end(), end);
-    for (std::uint32_t i = 0; i < particles.size(); ++i) {
-        Particle& p = particles[i];
-        p.x = x_.wrapped(p.x);
-        p.y = y_.wrapped(p.y);
-        if (!axis_z_.repeats) p.z = z_.wrapped(p.z);
-        centres_[i] = {p.x, p.y, p.z, 0, 0};
-        centres_[i].cell = cell_of(centres_[i]);
+    const auto count = static_cast<std::uint32_t>(particles.size());
+    shift_ = 0.0;
+    // A first search at the widest reach tells the local density, from which half shells follow.
+    cells_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) {
+        place(i, particles[i]);
+        centres_[i].half_shell = static_cast<float>(0.25 * widest_);
+        cells_.enter(centres_[i].cell, entry(i));
     }
-    // Entered from the last to the first, so that each cell lists its particles in rising order.
-    for (auto i = static_cast<std::uint32_t>(particles.size()); i-- > 0;) enter_cell(i);
-    for (std::uint32_t i = 0; i < particles.size(); ++i) visit_around(i, [&](std::uint32_t j) { add(i, j); });
+    for (std::uint32_t i = 0; i < count; ++i)
+        row(i)[0] = static_cast<std::uint32_t>(cells_.within_reach(centres_[i].cell, entry(i), found_));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        centres_[i].half_shell = adapted(centres_[i].half_shell, row(i)[0]);
+        row(i)[0] = 0;
+    }
+    cells_.clear();
+    for (std::uint32_t i = 0; i < count; ++i) cells_.enter(centres_[i].cell, entry(i));
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::size_t neighbours = cells_.within_reach(centres_[i].cell, entry(i), found_);
+        write_row(i, {found_.data(), neighbours});
+    }
 }
 
 void NeighbourLists::rebuild(std::uint32_t i, Particle& p) {
-    for (const std::uint32_t j : of(i)) remove(j, i);
-    p.x = x_.wrapped(p.x);
-    p.y = y_.wrapped(p.y);
-    if (!axis_z_.repeats) p.z = z_.wrapped(p.z);
-    Centre moved{p.x, p.y, p.z, 0, 0};
-    moved.cell = cell_of(moved);
-    if (moved.cell != centres_[i].cell) {
-        leave_cell(i);
-        centres_[i] = moved;
-        enter_cell(i);
+    Centre& c = centres_[i];
+    const std::uint32_t old_cell = c.cell;
+    c.half_shell = adapted(c.half_shell, of(i).size());
+    place(i, p);
+    if (c.cell == old_cell) {
+        cells_.replace(c.cell, entry(i));
     } else {
-        centres_[i] = moved;
+        cells_.leave(old_cell, i);
+        cells_.enter(c.cell, entry(i));
     }
-    visit_around(i, [&](std::uint32_t j) {
-        add(i, j);
-        add(j, i);
-    });
-}
-
-void NeighbourLists::shift_heights(double shift) {
-    for (Centre& c : centres_) c.z += shift;
-    origin_z_ += shift;
+    const std::size_t neighbours = cells_.within_reach(c.cell, entry(i), found_);
+    const std::span<const std::uint32_t> now{found_.data(), neighbours};
+    // Most neighbours stay: only the lists of those that came or went are touched.
+    for (const std::uint32_t j : of(i))
+        if (!holds(now, j)) remove(j, i);
+    for (const std::uint32_t j : now)
+        if (!holds(of(i), j)) add(j, i);
+    write_row(i, now);
 }
 
 void NeighbourLists::save(files::CheckpointWriter& out) const {
-    out.put("md.neighbours.origin", origin_z_);
-    out.put("md.neighbours.capacity", static_cast<std::uint64_t>(capacity_));
+    out.put("md.neighbours.shift", shift_);
     out.put("md.neighbours.centres", centres_);
-    // Only what is in use: places beyond a list's end hold leftovers that are no part of the state.
+    // Only what is in use: places past a list's end hold leftovers that are no part of the state.
     std::vector<std::uint32_t> used;
-    for (std::uint32_t i = 0; i < centres_.size(); ++i) used.insert(used.end(), of(i).begin(), of(i).end());
+    for (std::uint32_t i = 0; i < centres_.size(); ++i) {
+        used.push_back(static_cast<std::uint32_t>(of(i).size()));
+        used.insert(used.end(), of(i).begin(), of(i).end());
+    }
     out.put("md.neighbours.lists", used);
-    out.put("md.neighbours.cell_first", cell_first_);
-    out.put("md.neighbours.cell_next", cell_next_);
-    out.put("md.neighbours.cell_previous", cell_previous_);
+    cells_.save(out);
 }
 
 void NeighbourLists::restore(const files::CheckpointReader& in) {
     in.take_into("md.neighbours.centres", std::span(centres_));
-    in.take_into("md.neighbours.cell_first", std::span(cell_first_));
-    in.take_into("md.neighbours.cell_next", std::span(cell_next_));
-    in.take_into("md.neighbours.cell_previous", std::span(cell_previous_));
-    origin_z_ = in.take_one<double>("md.neighbours.origin");
-    capacity_ = in.take_one<std::uint64_t>("md.neighbours.capacity");
-    neighbours_.assign(centres_.size() * capacity_, 0);
+    shift_ = in.take_one<double>("md.neighbours.shift");
     const auto used = in.take<std::uint32_t>("md.neighbours.lists");
+    cells_.restore(in);
     std::size_t from = 0;
     for (std::uint32_t i = 0; i < centres_.size(); ++i) {
-        std::copy_n(used.data() + from, centres_[i].count, list(i));
-        from += centres_[i].count;
+        if (from >= used.size() || used[from] > used.size() - from - 1)
+            throw files::Damaged("the checkpoint's neighbour lists end too soon");
+        write_row(i, {used.data() + from + 1, used[from]});
+        from += used[from] + 1;
     }
 }
 
 std::size_t NeighbourLists::bytes() const {
-    return centres_.capacity() * sizeof(Centre) +
-           (neighbours_.capacity() + cell_first_.capacity() + cell_next_.capacity() + cell_previous_.capacity()) *
-               sizeof(std::uint32_t);
+    return centres_.capacity() * sizeof(Centre) + rows_.capacity() * sizeof(std::uint32_t) + cells_.bytes();
 }
 
 }  // namespace md
