@@ -24,6 +24,9 @@ class Resolver {
         particles();
         motion();
         heights();
+        if (!s_.initial.file.empty()) {
+            fail("initial.file", "initial.file: no engine can start from a file yet; leave it out");
+        }
         if (s_.sample.phases % 20 != 0) {
             fail("sample.phases", fmt::format("sample.phases = {} is not a multiple of 20", s_.sample.phases));
         }
