@@ -13,10 +13,6 @@ namespace continuum {
 
 namespace {
 
-FaceArrays face_rows(Workspace& work) {
-    return {work.row(0), work.row(1), work.row(2), work.row(3), work.row(4), work.row(5), work.row(6), work.row(7)};
-}
-
 void close_face(const FaceArrays& faces, std::int64_t f, double stress) {
     faces.mass[f] = faces.tangent_1[f] = faces.tangent_2[f] = faces.energy[f] = faces.internal[f] = faces.velocity[f] =
         0.0;
@@ -25,24 +21,66 @@ void close_face(const FaceArrays& faces, std::int64_t f, double stress) {
 
 }  // namespace
 
-bool Evolution::carry(double t, double dt, SweepKernel sweep) {
-    base_ = setup_.flow;
-    base_books_ = books_;
-    for (const Stage& stage : kernels_.stages) {
+bool Evolution::carry(double t, double dt, const Sweeps& sweeps) {
+    const std::int64_t columns = grid().columns();
+    const bool along_x = grid().nx > 1, along_y = grid().ny > 1;
+    for (std::size_t k = 0; k < kernels_.stages.size(); ++k) {
+        const Stage& stage = kernels_.stages[k];
         const double gravity = setup_.gravity + setup_.motion.acceleration(t + stage.time * dt);
-        bool sound = true;
-        for (std::int64_t column = 0; column < grid().columns(); ++column) sweep_along_z(column, sweep, work_[0]);
-        for (std::int64_t column = 0; column < grid().columns(); ++column)
-            sound = update(column, stage, gravity, dt) && sound;
-        if (!sound) return false;
+        double unsound = 0.0;
+#pragma omp parallel num_threads(threads()) reduction(+ : unsound)
+        {
+            Workspace& work = work_[thread()];
+#pragma omp for schedule(static)
+            for (std::int64_t column = 0; column < columns; ++column) {
+                const std::int64_t first = grid().first(column);
+                fill_ghosts(setup_.flow, first, grid().nz, setup_.boundaries, constants_.packing_density);
+                kernels_.pressure(flow().density.data() + first, flow().temperature.data() + first,
+                                  rates_.pressure.data() + first, work.row(0), grid().nz, constants_);
+            }
+            // z + (x + y), in this order, so that a flow turned by a right angle about z keeps its bits.
+            if (along_x) sweep_along_x(sweeps.horizontal, work);
+            if (along_y) sweep_along_y(sweeps.horizontal, !along_x, work);
+#pragma omp for schedule(static)
+            for (std::int64_t column = 0; column < columns; ++column)
+                sweep_along_z(column, sweeps.vertical, !along_x && !along_y, work);
+#pragma omp for schedule(static)
+            for (std::int64_t column = 0; column < columns; ++column)
+                unsound += update(column, stage, k == 0, gravity, dt) ? 0.0 : 1.0;
+        }
+        if (unsound > 0.0) return false;
     }
     return true;
 }
 
-void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, Workspace& work) {
+void Evolution::add_rates(std::int64_t column, const FaceArrays& lower, const FaceArrays& upper, Direction direction,
+                          double spacing, bool first_sweep) {
     const std::int64_t nz = grid().nz, first = grid().first(column);
-    fill_ghosts(setup_.flow, first, nz, setup_.boundaries, constants_.packing_density);
+    const double per_width = 1.0 / spacing;
+    std::vector<double>* const momenta[3] = {&rates_.momentum_x, &rates_.momentum_y, &rates_.momentum_z};
+    const int normal = static_cast<int>(direction);
+    const int one = direction == Direction::x ? 1 : 0, two = direction == Direction::z ? 1 : 2;
+    const double* pressure = rates_.pressure.data() + first;
+    double *__restrict mass = rates_.mass.data() + first, *__restrict momentum = momenta[normal]->data() + first,
+                       *__restrict momentum_1 = momenta[one]->data() + first,
+                       *__restrict momentum_2 = momenta[two]->data() + first, *__restrict energy = rates_.energy.data() + first,
+                       *__restrict internal = rates_.internal.data() + first, *__restrict jump = rates_.jump.data() + first;
+    const double keep = first_sweep ? 0.0 : 1.0;
+#pragma omp simd
+    for (std::int64_t i = 0; i < nz; ++i) {
+        mass[i] = keep * mass[i] + per_width * (lower.mass[i] - upper.mass[i]);
+        momentum[i] = keep * momentum[i] + per_width * (lower.normal[i] - upper.normal[i]);
+        momentum_1[i] = keep * momentum_1[i] + per_width * (lower.tangent_1[i] - upper.tangent_1[i]);
+        momentum_2[i] = keep * momentum_2[i] + per_width * (lower.tangent_2[i] - upper.tangent_2[i]);
+        energy[i] = keep * energy[i] + per_width * (lower.energy[i] - upper.energy[i]);
+        internal[i] = keep * internal[i] + per_width * ((lower.internal[i] - upper.internal[i]) +
+                                                        pressure[i] * (lower.velocity[i] - upper.velocity[i]));
+        jump[i] = larger(keep * jump[i], larger(lower.jump[i], upper.jump[i]));
+    }
+}
 
+void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, Workspace& work) {
+    const std::int64_t nz = grid().nz, first = grid().first(column);
     Stencil stencil;
     for (std::size_t k = 0; k < 6; ++k) {
         const std::int64_t cell = first - 3 + static_cast<std::int64_t>(k);
@@ -52,49 +90,11 @@ void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, Workspace&
         stencil.tangent_2[k] = flow().velocity_y.data() + cell;
         stencil.temperature[k] = flow().temperature.data() + cell;
     }
-    const FaceArrays faces = face_rows(work);
+    const FaceArrays faces = work.faces(0);
     sweep(stencil, faces, nz + 1, constants_);
     if (setup_.boundaries.lower.end == End::wall) close_face(faces, 0, kernels_.wall(stencil, constants_));
-    if (setup_.boundaries.upper.end == End::wall) {
-        // The wall kernel wants the gas above the wall: turn the column upside down.
-        double upside_down[5][6];
-        Stencil turned;
-        for (std::size_t k = 0; k < 6; ++k) {
-            const std::size_t from = 5 - k;
-            upside_down[0][k] = stencil.density[from][nz];
-            upside_down[1][k] = -stencil.normal[from][nz];
-            upside_down[2][k] = stencil.tangent_1[from][nz];
-            upside_down[3][k] = stencil.tangent_2[from][nz];
-            upside_down[4][k] = stencil.temperature[from][nz];
-            turned.density[k] = &upside_down[0][k];
-            turned.normal[k] = &upside_down[1][k];
-            turned.tangent_1[k] = &upside_down[2][k];
-            turned.tangent_2[k] = &upside_down[3][k];
-            turned.temperature[k] = &upside_down[4][k];
-        }
-        close_face(faces, nz, kernels_.wall(turned, constants_));
-    }
-
-    double *pressure = work.row(8), *sound = work.row(9);
-    kernels_.pressure(flow().density.data() + first, flow().temperature.data() + first, pressure, sound, nz,
-                      constants_);
-    const double per_dz = 1.0 / grid().dz;
-    double *__restrict mass = rates_.mass.data() + first, *__restrict momentum_x = rates_.momentum_x.data() + first,
-                       *__restrict momentum_y = rates_.momentum_y.data() + first,
-                       *__restrict momentum_z = rates_.momentum_z.data() + first,
-                       *__restrict energy = rates_.energy.data() + first,
-                       *__restrict internal = rates_.internal.data() + first, *__restrict jump = rates_.jump.data() + first;
-#pragma omp simd
-    for (std::int64_t i = 0; i < nz; ++i) {
-        mass[i] = per_dz * (faces.mass[i] - faces.mass[i + 1]);
-        momentum_x[i] = per_dz * (faces.tangent_1[i] - faces.tangent_1[i + 1]);
-        momentum_y[i] = per_dz * (faces.tangent_2[i] - faces.tangent_2[i + 1]);
-        momentum_z[i] = per_dz * (faces.normal[i] - faces.normal[i + 1]);
-        energy[i] = per_dz * (faces.energy[i] - faces.energy[i + 1]);
-        internal[i] = per_dz * ((faces.internal[i] - faces.internal[i + 1]) +
-                                pressure[i] * (faces.velocity[i] - faces.velocity[i + 1]));
-        jump[i] = larger(faces.jump[i], faces.jump[i + 1]);
-    }
+    if (setup_.boundaries.upper.end == End::wall) close_face(faces, nz, stress_below_wall(stencil, nz));
+    add_rates(column, faces, faces.shifted(1), Direction::z, grid().dz, first_sweep);
     // What passes the ends, for the books: kept in the ghosts of the rates until the update.
     rates_.momentum_z[static_cast<std::size_t>(first - 1)] = faces.normal[0];
     rates_.momentum_z[static_cast<std::size_t>(first + nz)] = faces.normal[nz];
@@ -102,8 +102,32 @@ void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, Workspace&
     rates_.energy[static_cast<std::size_t>(first + nz)] = faces.energy[nz];
 }
 
-bool Evolution::update(std::int64_t column, const Stage& stage, double gravity, double dt) {
+double Evolution::stress_below_wall(const Stencil& stencil, std::int64_t face) const {
+    // The wall kernel wants the gas above the wall: turn the column upside down.
+    double upside_down[5][6];
+    Stencil turned;
+    for (std::size_t k = 0; k < 6; ++k) {
+        const std::size_t from = 5 - k;
+        upside_down[0][k] = stencil.density[from][face];
+        upside_down[1][k] = -stencil.normal[from][face];
+        upside_down[2][k] = stencil.tangent_1[from][face];
+        upside_down[3][k] = stencil.tangent_2[from][face];
+        upside_down[4][k] = stencil.temperature[from][face];
+        turned.density[k] = &upside_down[0][k];
+        turned.normal[k] = &upside_down[1][k];
+        turned.tangent_1[k] = &upside_down[2][k];
+        turned.tangent_2[k] = &upside_down[3][k];
+        turned.temperature[k] = &upside_down[4][k];
+    }
+    return kernels_.wall(turned, constants_);
+}
+
+bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage, double gravity, double dt) {
     const std::int64_t nz = grid().nz, first = grid().first(column);
+    if (first_stage) {
+        copy_column(flow(), base_, column);
+        base_books_[static_cast<std::size_t>(column)] = books_[static_cast<std::size_t>(column)];
+    }
     const double start = stage.start, previous = stage.previous;
     const double packing = constants_.packing_density, floor = constants_.floor_temperature, trust = constants_.trust;
     double *__restrict density = setup_.flow.density.data() + first, *__restrict u_x = setup_.flow.velocity_x.data() + first,

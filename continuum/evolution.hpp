@@ -2,7 +2,8 @@
 // Advances a flow by whole steps. A step is, in turn, and in the opposite order every other time (which makes the
 // splitting second order over two steps):
 //     cool      dT/dt = -(8/sqrt(pi)) G D T^(3/2), exactly, cell by cell
-//     diffuse   viscosity and conduction, implicit along each column; the kinetic energy it takes becomes heat
+//     diffuse   viscosity and conduction, implicit along each column; the kinetic energy it takes becomes heat;
+//               across columns, and in the terms that mix directions, explicit
 //     carry     mass, momentum and energy by waves and by the body force, explicit
 // A step that would leave a cell empty, packed or without a number is taken back and repeated in halves, at last with
 // first-order fluxes; if that does not help the run has failed.
@@ -21,11 +22,18 @@ namespace continuum {
 struct Workspace {
     explicit Workspace(std::int64_t cells);
     double* row(std::size_t i) { return rows_.data() + i * static_cast<std::size_t>(length_); }
+    /// Rows 8 set to 8 set + 7.
+    FaceArrays faces(std::size_t set) {
+        const std::size_t r = 8 * set;
+        return {row(r), row(r + 1), row(r + 2), row(r + 3), row(r + 4), row(r + 5), row(r + 6), row(r + 7)};
+    }
 
   private:
     std::int64_t length_;
     std::vector<double> rows_;
 };
+
+enum class Direction { x, y, z };
 
 class Evolution {
   public:
@@ -39,6 +47,7 @@ class Evolution {
 
     const Grid& grid() const { return setup_.grid; }
     const Flow& flow() const { return setup_.flow; }
+    double bytes_per_cell() const;
     Flow& flow() { return setup_.flow; }
     double mass() const;  // per horizontal area
     Ledger ledger() const;
@@ -49,14 +58,34 @@ class Evolution {
     void restore(const files::CheckpointReader& in);
 
   private:
-    bool try_step(double t, double dt, SweepKernel sweep);
-    void relax(double dt, bool cooling_first);
-    bool carry(double t, double dt, SweepKernel sweep);
+    struct Sweeps {
+        SweepKernel vertical, horizontal;
+    };
+    bool try_step(double t, double dt, const Sweeps& sweeps);
 
+    // carry.cpp and carry_horizontal.cpp; the horizontal sweeps share their work among the threads that call them.
+    bool carry(double t, double dt, const Sweeps& sweeps);
+    void sweep_along_x(SweepKernel sweep, Workspace& work);
+    void sweep_along_y(SweepKernel sweep, bool first_sweep, Workspace& work);
+    void sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, Workspace& work);
+    void sweep_row(Direction direction, std::int64_t row, std::int64_t from, std::int64_t to, SweepKernel sweep,
+                   bool first_sweep, Workspace& work);
+    double stress_below_wall(const Stencil& stencil, std::int64_t face) const;
+    void add_rates(std::int64_t column, const FaceArrays& lower, const FaceArrays& upper, Direction direction,
+                   double spacing, bool first_sweep);
+    bool update(std::int64_t column, const Stage& stage, bool first_stage, double gravity, double dt);
+
+    // relax.cpp and relax_horizontal.cpp
+    void relax(double dt, bool cooling_first);
     void cool(std::int64_t column, double dt, Workspace& work);
     void diffuse(std::int64_t column, double dt, Workspace& work);
-    void sweep_along_z(std::int64_t column, SweepKernel sweep, Workspace& work);
-    bool update(std::int64_t column, const Stage& stage, double gravity, double dt);
+    void relax_horizontally(double dt);
+    void horizontal_stresses(std::int64_t column, double dt, Workspace& work);
+    void apply_horizontal_stresses(std::int64_t column, double dt);
+
+    int threads() const;
+    static std::size_t thread();
+    void copy_column(const Flow& from, Flow& to, std::int64_t column) const;
     double total_energy() const;
     [[noreturn]] void fail(double t, double dt) const;
 
@@ -68,8 +97,11 @@ class Evolution {
     Flow start_;  // state at the start of the step, to take it back
     // Rates of change by the fluxes, and the largest squared jump of velocity around each cell; (ny, nx, stride) each.
     struct Rates {
-        std::vector<double> mass, momentum_x, momentum_y, momentum_z, energy, internal, jump;
+        std::vector<double> mass, momentum_x, momentum_y, momentum_z, energy, internal, jump, pressure;
     } rates_;
+    struct Coefficients {
+        std::vector<double> bulk, shear, conductivity, density_conductivity;
+    } coefficients_;  // for the horizontal stresses
     std::vector<Workspace> work_;
     std::vector<Ledger> books_, base_books_, start_books_;  // one a column, so that sums do not depend on threads
     double initial_energy_ = 0.0;

@@ -43,9 +43,12 @@ void choose_sweep(Kernels& kernels, const scene::Continuum& choices) {
     const auto flux = [&](auto reconstruct) {
         using Reconstruct = decltype(reconstruct);
         kernels.wall = wall_stress<PairCorrelation, Reconstruct>;
-        kernels.sweep = choose(Fluxes{}, "continuum.flux", choices.flux,
-                               [](auto f) -> SweepKernel { return sweep<PairCorrelation, decltype(f), Reconstruct>; });
-        return true;
+        return choose(Fluxes{}, "continuum.flux", choices.flux, [&](auto f) {
+            using Flux = decltype(f);
+            kernels.sweep = sweep<PairCorrelation, Flux, Reconstruct>;
+            kernels.sweep_horizontal = sweep<PairCorrelation, typename Flux::InSlowFlow, Reconstruct>;
+            return true;
+        });
     };
     kernels.sweep_first_order = sweep<PairCorrelation, FluxHll, Muscl<LimiterFirstOrder>>;
     choose(Schemes{}, "continuum.scheme", choices.scheme, [&](auto scheme) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "continuum/closures/effective_dissipation.hpp"
+#include "continuum/reconstruct/stencil.hpp"
 #include "continuum/time_integrator.hpp"
 #include "scene/scene.hpp"
 
@@ -23,17 +24,15 @@ struct Constants {
     double trust = 0.0;  // the total energy gives the temperature where it leaves more than trust * n * (jump of u)^2
 };
 
-/// Pointers to one value each of the six cells around face 0 of a sweep, cells 2 and 3 touching it; face f uses the
-/// elements [f]. Along z the six pointers are one column shifted; along x and y they are six columns.
-struct Stencil {
-    using Cells = std::array<const double*, 6>;
-    Cells density, normal, tangent_1, tangent_2, temperature;
-};
-
 /// Arrays of one sweep, an element a face.
 struct FaceArrays {
     double *mass, *normal, *tangent_1, *tangent_2, *energy, *internal, *velocity;
     double* jump;  // squared difference of velocity across the face
+
+    FaceArrays shifted(std::int64_t by) const {
+        return {mass + by,   normal + by,   tangent_1 + by, tangent_2 + by,
+                energy + by, internal + by, velocity + by,  jump + by};
+    }
 };
 
 /// Fluxes through `count` faces; returns the fastest wave met.
@@ -55,7 +54,8 @@ using TransportKernel = void (*)(const double* density, const double* temperatur
                                  std::int64_t count, const Constants&);
 
 struct Kernels {
-    SweepKernel sweep = nullptr;
+    SweepKernel sweep = nullptr;              // along z
+    SweepKernel sweep_horizontal = nullptr;   // along x and y, where cells are wide and flow is slow
     SweepKernel sweep_first_order = nullptr;  // what a step that failed is repeated with
     WallKernel wall = nullptr;
     PressureKernel pressure = nullptr;

@@ -19,19 +19,24 @@ TransportArrays transport_rows(Workspace& work) {
 
 void Evolution::relax(double dt, bool cooling_first) {
     const bool cools = !(dissipation_.is_constant() && dissipation_.constant() == 0.0);
-    const std::int64_t nz = grid().nz;
-    for (std::int64_t column = 0; column < grid().columns(); ++column) {
-        if (!cools && !kernels_.viscous) return;
-        Workspace& work = work_[0];
-        const std::int64_t first = grid().first(column);
-        // All coefficients go with sqrt(T); they are kept at T = 1, as density does not change here and T does.
-        double* ones = work.row(5);
-        for (std::int64_t i = 0; i < nz; ++i) ones[i] = 1.0;
-        kernels_.transport(flow().density.data() + first, ones, transport_rows(work), nz, constants_);
-        if (cools && cooling_first) cool(column, dt, work);
-        if (kernels_.viscous) diffuse(column, dt, work);
-        if (cools && !cooling_first) cool(column, dt, work);
+    const bool horizontal = kernels_.viscous && grid().columns() > 1;
+    const std::int64_t nz = grid().nz, columns = grid().columns();
+    if (horizontal && !cooling_first) relax_horizontally(dt);
+    if (cools || kernels_.viscous) {
+#pragma omp parallel for schedule(static) num_threads(threads())
+        for (std::int64_t column = 0; column < columns; ++column) {
+            Workspace& work = work_[thread()];
+            const std::int64_t first = grid().first(column);
+            // All coefficients go with sqrt(T); they are kept at T = 1, as density does not change here and T does.
+            double* ones = work.row(5);
+            for (std::int64_t i = 0; i < nz; ++i) ones[i] = 1.0;
+            kernels_.transport(flow().density.data() + first, ones, transport_rows(work), nz, constants_);
+            if (cools && cooling_first) cool(column, dt, work);
+            if (kernels_.viscous) diffuse(column, dt, work);
+            if (cools && !cooling_first) cool(column, dt, work);
+        }
     }
+    if (horizontal && cooling_first) relax_horizontally(dt);
 }
 
 void Evolution::cool(std::int64_t column, double dt, Workspace& work) {

@@ -11,34 +11,17 @@
 
 namespace continuum {
 
-/// Values of the six cells around face f.
-struct CellsAround {
-    const Stencil::Cells& row;
-    std::int64_t face;
-    double operator[](std::size_t k) const { return row[k][face]; }
-};
-
+/// A gas with the pressure and the sound speed that go with it.
 template <class PairCorrelation>
-[[gnu::always_inline]] inline FaceState face_state(double density, double normal, double tangent_1, double tangent_2,
-                                                   double temperature, double virial) {
-    const PressurePoint point = pressure_point<PairCorrelation>(density, temperature, virial);
-    return {density, normal, tangent_1, tangent_2, temperature, point.pressure, std::sqrt(point.sound_speed_squared)};
-}
-
-template <class PairCorrelation, class Reconstruct>
-[[gnu::always_inline]] inline FaceState state_below(const Stencil& s, std::int64_t f, double virial) {
-    return face_state<PairCorrelation>(
-        Reconstruct::left(CellsAround{s.density, f}), Reconstruct::left(CellsAround{s.normal, f}),
-        Reconstruct::left(CellsAround{s.tangent_1, f}), Reconstruct::left(CellsAround{s.tangent_2, f}),
-        Reconstruct::left(CellsAround{s.temperature, f}), virial);
-}
-
-template <class PairCorrelation, class Reconstruct>
-[[gnu::always_inline]] inline FaceState state_above(const Stencil& s, std::int64_t f, double virial) {
-    return face_state<PairCorrelation>(
-        Reconstruct::right(CellsAround{s.density, f}), Reconstruct::right(CellsAround{s.normal, f}),
-        Reconstruct::right(CellsAround{s.tangent_1, f}), Reconstruct::right(CellsAround{s.tangent_2, f}),
-        Reconstruct::right(CellsAround{s.temperature, f}), virial);
+[[gnu::always_inline]] inline FaceState face_state(const FaceValues& v, double virial) {
+    const PressurePoint point = pressure_point<PairCorrelation>(v.density, v.temperature, virial);
+    return {v.density,
+            v.normal,
+            v.tangent_1,
+            v.tangent_2,
+            v.temperature,
+            point.pressure,
+            std::sqrt(point.sound_speed_squared)};
 }
 
 template <class PairCorrelation, class Flux, class Reconstruct>
@@ -49,8 +32,8 @@ double sweep(const Stencil& stencil, const FaceArrays& out, std::int64_t count, 
     double signal = 0.0;
 #pragma omp simd reduction(max : signal)
     for (std::int64_t f = 0; f < count; ++f) {
-        const FaceState left = state_below<PairCorrelation, Reconstruct>(s, f, virial);
-        const FaceState right = state_above<PairCorrelation, Reconstruct>(s, f, virial);
+        const FaceState left = face_state<PairCorrelation>(Reconstruct::below(s, f, packing), virial);
+        const FaceState right = face_state<PairCorrelation>(Reconstruct::above(s, f, packing), virial);
         const FaceFlux flux = Flux::at(left, right, packing);
         mass[f] = flux.mass;
         normal[f] = flux.normal;
@@ -70,7 +53,8 @@ double sweep(const Stencil& stencil, const FaceArrays& out, std::int64_t count, 
 /// p* of a gas that meets its own mirror image: p + n (s - u)(0 - u), s the wave that runs back into it.
 template <class PairCorrelation, class Reconstruct>
 double wall_stress(const Stencil& stencil, const Constants& constants) {
-    const FaceState gas = state_above<PairCorrelation, Reconstruct>(stencil, 0, constants.virial);
+    const FaceState gas =
+        face_state<PairCorrelation>(Reconstruct::above(stencil, 0, constants.packing_density), constants.virial);
     FaceState image = gas;
     image.normal = -gas.normal;
     const WaveSpeeds s = wave_speeds(image, gas, constants.packing_density);

@@ -4,6 +4,11 @@
 
 namespace continuum {
 
+/// What a reconstruction gives at one side of a face.
+struct FaceValues {
+    double density, normal, tangent_1, tangent_2, temperature;
+};
+
 struct FaceState {
     double density, normal, tangent_1, tangent_2, temperature;
     double pressure, sound_speed;

@@ -10,6 +10,7 @@
 namespace continuum {
 
 struct FluxHll {
+    using InSlowFlow = FluxHll;
     static constexpr std::string_view name = "hll";
 
     [[gnu::always_inline]] static FaceFlux at(const FaceState& left, const FaceState& right, double packing_density) {

@@ -13,7 +13,10 @@
 
 namespace continuum {
 
+struct FluxHllcSlow;
+
 struct FluxHllc {
+    using InSlowFlow = FluxHllcSlow;
     static constexpr std::string_view name = "hllc";
 
     [[gnu::always_inline]] static FaceFlux at(const FaceState& left, const FaceState& right, double packing_density) {
@@ -54,6 +57,22 @@ struct FluxHllc {
                 mass * internal,
                 velocity,
                 s.signal};
+    }
+};
+
+/// HLLC for wide cells in slow flow: the jump of the normal velocity, whose dissipation would be c |du|, is scaled with
+/// the Mach number before the Riemann problem is posed (Thornber and others 2008, eq. 19), which leaves u |du|. Sound
+/// of a wavelength of many cells is then no longer damped by the scheme where c >> u. Equal to HLLC at M >= 1.
+struct FluxHllcSlow {
+    [[gnu::always_inline]] static FaceFlux at(const FaceState& left, const FaceState& right, double packing_density) {
+        const double fastest = larger(left.normal * left.normal, right.normal * right.normal);
+        const double sound = larger(left.sound_speed, right.sound_speed);
+        const double mach = smaller(1.0, std::sqrt(fastest) / sound);
+        const double mean = 0.5 * (left.normal + right.normal), half = (0.5 * mach) * (left.normal - right.normal);
+        FaceState slow_left = left, slow_right = right;
+        slow_left.normal = mean + half;
+        slow_right.normal = mean - half;
+        return FluxHllc::at(slow_left, slow_right, packing_density);
     }
 };
 

@@ -5,14 +5,15 @@
 //                 left^right           values at the face between q[2] and q[3]
 #pragma once
 
-#include <cstddef>
+#include <cstdint>
+
+#include "continuum/flux/face_state.hpp"
+#include "continuum/reconstruct/stencil.hpp"
 
 namespace continuum {
 
 template <class Limiter>
 struct Muscl {
-    static constexpr std::size_t first_cell = 1, last_cell = 4;  // of the six around a face
-
     template <class Cells>
     [[gnu::always_inline]] static double left(const Cells& q) {
         return q[2] + 0.5 * Limiter::slope(q[2] - q[1], q[3] - q[2]);
@@ -20,6 +21,16 @@ struct Muscl {
     template <class Cells>
     [[gnu::always_inline]] static double right(const Cells& q) {
         return q[3] - 0.5 * Limiter::slope(q[3] - q[2], q[4] - q[3]);
+    }
+
+    /// The gas just below and just above face f.
+    [[gnu::always_inline]] static FaceValues below(const Stencil& s, std::int64_t f, double /*packing_density*/) {
+        return {left(CellsAround{s.density, f}), left(CellsAround{s.normal, f}), left(CellsAround{s.tangent_1, f}),
+                left(CellsAround{s.tangent_2, f}), left(CellsAround{s.temperature, f})};
+    }
+    [[gnu::always_inline]] static FaceValues above(const Stencil& s, std::int64_t f, double /*packing_density*/) {
+        return {right(CellsAround{s.density, f}), right(CellsAround{s.normal, f}), right(CellsAround{s.tangent_1, f}),
+                right(CellsAround{s.tangent_2, f}), right(CellsAround{s.temperature, f})};
     }
 };
 

@@ -6,6 +6,7 @@
 #include "continuum/choice.hpp"
 #include "continuum/reconstruct/limiters.hpp"
 #include "continuum/reconstruct/muscl.hpp"
+#include "continuum/reconstruct/weno5.hpp"
 #include "continuum/time_integrator.hpp"
 
 namespace continuum {
@@ -21,6 +22,18 @@ struct SchemeMuscl {
     }
 };
 
-using Schemes = Choices<SchemeMuscl>;
+/// Fifth order in space (one dimension, without transport), third in time. The limiter is not used.
+struct SchemeWeno5 {
+    static constexpr std::string_view name = "weno5";
+    static constexpr std::span<const Stage> stages = ssp_rk3;
+
+    template <class Use>
+    static bool with_limiter(const scene::Choice& limiter, const Use& use) {
+        choose(Limiters{}, "continuum.limiter", limiter, [](auto) { return true; });
+        return use(Weno5{});
+    }
+};
+
+using Schemes = Choices<SchemeMuscl, SchemeWeno5>;
 
 }  // namespace continuum

@@ -74,7 +74,7 @@ TEST_CASE("hllc keeps a resting contact, hll smears it") {
     const double p = 1.0;
     const auto at_pressure = [&](double nu) {
         const double unit = pressure_point<Goldshtein>(nu / sphere_volume, 1.0, 4.0).pressure;
-        return face_state<Goldshtein>(nu / sphere_volume, 0.0, 0.3, 0.0, p / unit, 4.0);
+        return face_state<Goldshtein>({nu / sphere_volume, 0.0, 0.3, 0.0, p / unit}, 4.0);
     };
     const FaceState dense = at_pressure(0.5), dilute = at_pressure(0.05);
     const FaceFlux sharp = FluxHllc::at(dense, dilute, packing);

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// WENO-Z of fifth order: three parabolas over five cells, weighted by their smoothness. Jiang & Shu 1996; weights of
+// Borges, Carmona, Costa & Don 2008 with power 2, which keeps the order at simple extrema.
+//     | q[0] | q[1] | q[2] | q[3] | q[4] | q[5] |       below: cells 0 to 4; above: cells 5 to 1, mirrored
+//                        face
+// Cell values are averages of what is conserved, so mass, momentum and energy are reconstructed and turned into
+// velocity and temperature at the face: fifth order in one dimension, second order where two or three mix (one value a
+// face). A face where that leaves a density or temperature far from the cell's own, as beside a vacuum or in a shock of
+// cold gas, takes MUSCL's values.
+#pragma once
+
+#include <cmath>
+
+#include "continuum/reconstruct/limiters.hpp"
+#include "continuum/reconstruct/muscl.hpp"
+
+namespace continuum {
+
+struct Weno5 {
+    /// Value at the edge between c and d of a profile with cell averages a to e.
+    [[gnu::always_inline]] static double edge(double a, double b, double c, double d, double e) {
+        const double p0 = (2.0 * a - 7.0 * b + 11.0 * c) * (1.0 / 6.0);
+        const double p1 = (-b + 5.0 * c + 2.0 * d) * (1.0 / 6.0);
+        const double p2 = (2.0 * c + 5.0 * d - e) * (1.0 / 6.0);
+        const double bend0 = a - 2.0 * b + c, bend1 = b - 2.0 * c + d, bend2 = c - 2.0 * d + e;
+        const double slope0 = a - 4.0 * b + 3.0 * c, slope1 = b - d, slope2 = 3.0 * c - 4.0 * d + e;
+        const double s0 = (13.0 / 12.0) * (bend0 * bend0) + 0.25 * (slope0 * slope0);
+        const double s1 = (13.0 / 12.0) * (bend1 * bend1) + 0.25 * (slope1 * slope1);
+        const double s2 = (13.0 / 12.0) * (bend2 * bend2) + 0.25 * (slope2 * slope2);
+        constexpr double never_zero = 1e-140;  // its square is still a number
+        const double global = std::abs(s0 - s2);
+        const double r0 = global / (s0 + never_zero), r1 = global / (s1 + never_zero), r2 = global / (s2 + never_zero);
+        // The ratios are bounded so that their squares stay numbers.
+        const double w0 = 0.1 * (1.0 + square(smaller(r0, 1e30)));
+        const double w1 = 0.6 * (1.0 + square(smaller(r1, 1e30)));
+        const double w2 = 0.3 * (1.0 + square(smaller(r2, 1e30)));
+        return (w0 * p0 + w1 * p1 + w2 * p2) / (w0 + w1 + w2);
+    }
+
+    [[gnu::always_inline]] static FaceValues below(const Stencil& s, std::int64_t f, double packing_density) {
+        return guarded<0, 1, 2, 3, 4>(s, f, Muscl<LimiterVanLeer>::below(s, f, packing_density), packing_density);
+    }
+    [[gnu::always_inline]] static FaceValues above(const Stencil& s, std::int64_t f, double packing_density) {
+        return guarded<5, 4, 3, 2, 1>(s, f, Muscl<LimiterVanLeer>::above(s, f, packing_density), packing_density);
+    }
+
+  private:
+    [[gnu::always_inline]] static double square(double x) { return x * x; }
+
+    struct Conserved {
+        double mass, normal, tangent_1, tangent_2, energy;
+    };
+    [[gnu::always_inline]] static Conserved conserved(const Stencil& s, std::size_t k, std::int64_t f) {
+        const double n = s.density[k][f], u = s.normal[k][f], u1 = s.tangent_1[k][f], u2 = s.tangent_2[k][f];
+        return {n, n * u, n * u1, n * u2, n * (1.5 * s.temperature[k][f] + 0.5 * (u * u + (u1 * u1 + u2 * u2)))};
+    }
+
+    /// From the cells A to E, C the one at the face.
+    template <std::size_t A, std::size_t B, std::size_t C, std::size_t D, std::size_t E>
+    [[gnu::always_inline]] static FaceValues guarded(const Stencil& s, std::int64_t f, const FaceValues& limited,
+                                                     double packing_density) {
+        const Conserved a = conserved(s, A, f), b = conserved(s, B, f), c = conserved(s, C, f), d = conserved(s, D, f),
+                        e = conserved(s, E, f);
+        const double density = edge(a.mass, b.mass, c.mass, d.mass, e.mass);
+        const double momentum = edge(a.normal, b.normal, c.normal, d.normal, e.normal);
+        const double momentum_1 = edge(a.tangent_1, b.tangent_1, c.tangent_1, d.tangent_1, e.tangent_1);
+        const double momentum_2 = edge(a.tangent_2, b.tangent_2, c.tangent_2, d.tangent_2, e.tangent_2);
+        const double energy = edge(a.energy, b.energy, c.energy, d.energy, e.energy);
+        const double cell_density = c.mass, cell_temperature = s.temperature[C][f];
+        const bool dense_enough = density > 0.3 * cell_density;
+        const double per_density = 1.0 / (dense_enough ? density : cell_density);
+        const double u = momentum * per_density, u1 = momentum_1 * per_density, u2 = momentum_2 * per_density;
+        const double temperature = (2.0 / 3.0) * (energy * per_density - 0.5 * (u * u + (u1 * u1 + u2 * u2)));
+        const bool trusted = dense_enough & (density < 0.5 * (packing_density + cell_density)) &
+                             (temperature > 0.3 * cell_temperature) & (temperature < 3.0 * cell_temperature);
+        return {trusted ? density : limited.density, trusted ? u : limited.normal, trusted ? u1 : limited.tangent_1,
+                trusted ? u2 : limited.tangent_2, trusted ? temperature : limited.temperature};
+    }
+};
+
+}  // namespace continuum
