@@ -105,6 +105,30 @@ TEST_CASE("a continuum half a diameter too low agrees to round-off once its floo
     CHECK(compare::centre_of_mass_rms_percent(continuum, md) > 1.0);
 }
 
+TEST_CASE("shock locations are compared where both engines have a shock, and lifted with the floor") {
+    const auto cycle = [](double ahead, std::size_t forms) {
+        compare::Analysis analysis;
+        std::vector<fields::Profile> profiles(100, synthetic::quiet_profile({0.0, 0.5, 80}));
+        for (std::size_t k = forms; k < 40; ++k) {
+            const double location = 5.0 + 0.5 * static_cast<double>(k - 20) + ahead;
+            profiles[k] = synthetic::Front{.location = location}.profile({0.0, 0.5, 80});
+        }
+        analysis.measures = synthetic::measure(profiles);
+        analysis.history = compare::follow_shock(analysis.measures, 0.1);
+        REQUIRE(analysis.history);
+        return analysis;
+    };
+    const auto md = cycle(0.0, 20), behind = cycle(-0.5, 22);
+    // Whole bins apart, so that the truncation is the same but for the slow rise of T behind the front.
+    CHECK(compare::shock_location_rms(behind, md) == Approx(0.5).margin(2e-3));
+    CHECK(compare::shock_location_rms(behind, md, 0.5) < 2e-3);
+    CHECK(compare::shock_location_rms(behind, md, 0.0, compare::Life::fully_formed_to_leaving) ==
+          Approx(0.5).margin(2e-3));
+    compare::Analysis none = md;
+    none.history.reset();
+    CHECK(std::isnan(compare::shock_location_rms(none, md)));
+}
+
 TEST_CASE("the summary has every key, an error beside each MD number, and null for what is unknown") {
     scene::Scene scene;
     scene.name = "wavy";
