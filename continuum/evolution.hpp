@@ -79,6 +79,7 @@ class Evolution {
     void relax(double dt, bool cooling_first);
     void cool(std::int64_t column, double dt, Workspace& work);
     void diffuse(std::int64_t column, double dt, Workspace& work);
+    void add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced, double* heat) const;
     void relax_horizontally(double dt);
     void horizontal_stresses(std::int64_t column, double dt, Workspace& work);
     void apply_horizontal_stresses(std::int64_t column, double dt);

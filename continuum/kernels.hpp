@@ -63,6 +63,7 @@ struct Kernels {
     std::span<const Stage> stages;
     double packing = 0.65;
     bool viscous = true;
+    bool density_drives_heat = false;  // whether the closure has a heat flux along the density gradient
 };
 
 /// The kernels that [continuum] names; throws scene::SceneError for a name no table has.

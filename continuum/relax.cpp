@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The implicit and the exact part of a step: diffusion along the columns, cooling in the cells.
+#include <algorithm>
 #include <cmath>
 
 #include "continuum/closures/pressure.hpp"
 #include "continuum/diffusion_solve.hpp"
 #include "continuum/evolution.hpp"
+#include "continuum/flux/wave_speeds.hpp"
 
 namespace continuum {
 
@@ -147,10 +149,33 @@ void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
     }
     values[0] += coupling[0] * lower_temperature;
     values[nz - 1] += coupling[nz] * upper_temperature;
+    if (kernels_.density_drives_heat) add_heat_of_density_gradient(column, dt, reduced.density_conductivity, values);
     solve_diffusion(nz, capacity, coupling, values, ratio);
     books.boundary_gain +=
         dz * (coupling[0] * (lower_temperature - values[0]) + coupling[nz] * (upper_temperature - values[nz - 1]));
     for (std::int64_t i = 0; i < nz; ++i) temperature[i] = values[i];
+}
+
+// Explicit: the coefficient goes as T^(3/2)/n, and what passes a face in a step is kept below a tenth of the heat of
+// either cell, which binds only where the gas is too thin to matter.
+void Evolution::add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced,
+                                             double* heat) const {
+    const std::int64_t nz = grid().nz, first = grid().first(column);
+    const double* density = flow().density.data() + first;
+    const double* temperature = flow().temperature.data() + first;
+    const double scale = 0.5 * dt / (grid().dz * grid().dz);
+    double carried_below = 0.0;
+    for (std::int64_t i = 0; i < nz; ++i) {
+        double carried = 0.0;  // upwards, through the face above cell i
+        if (i + 1 < nz) {
+            const double here = temperature[i] * std::sqrt(temperature[i]) * reduced[i];
+            const double next = temperature[i + 1] * std::sqrt(temperature[i + 1]) * reduced[i + 1];
+            const double most = 0.15 * smaller(density[i] * temperature[i], density[i + 1] * temperature[i + 1]);
+            carried = std::clamp(scale * (here + next) * (density[i] - density[i + 1]), -most, most);
+        }
+        heat[i] += carried_below - carried;
+        carried_below = carried;
+    }
 }
 
 }  // namespace continuum

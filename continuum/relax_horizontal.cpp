@@ -29,7 +29,7 @@ struct Carried {
 /// The fields of one column, element 0 the lowest cell.
 struct ColumnFields {
     const double *density, *normal, *lateral, *vertical, *temperature;
-    const double *bulk, *shear, *conductivity;
+    const double *bulk, *shear, *conductivity, *density_conductivity;
 };
 
 /// Face between columns `left` and `right` of a row; the lateral neighbours of either give the derivative along it.
@@ -45,6 +45,7 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
     double* __restrict normal = out.normal, * __restrict lateral = out.lateral, * __restrict vertical = out.vertical, * __restrict energy = out.energy;
     const double across = 1.0 / n.width, along = 0.25 / n.lateral_width, upward = 0.25 / dz;
     const double cap = n.share * n.width * n.width / dt;
+    const double heat_cap = 0.15 * n.width / dt;
     const double cap_mixed = share_of_mixed * n.width * dz / dt;
 #pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
@@ -68,6 +69,13 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         const double vertical_upward = upward * ((n.left.vertical[k + 1] - n.left.vertical[k - 1]) +
                                                  (n.right.vertical[k + 1] - n.right.vertical[k - 1]));
 
+        // Heat along the density gradient, at most a tenth of the poorer cell's a step.
+        const double heat_limit =
+            heat_cap * smaller(n.left.density[k] * n.left.temperature[k], n.right.density[k] * n.right.temperature[k]);
+        const double density_wanted = 0.5 * (n.left.density_conductivity[k] + n.right.density_conductivity[k]) *
+                                      (across * (n.right.density[k] - n.left.density[k]));
+        const double density_heat = smaller(larger(density_wanted, -heat_limit), heat_limit);
+
         const double stress_normal =
             axial * normal_across + (bulk_mixed - (2.0 / 3.0) * shear_mixed) * (lateral_along + vertical_upward);
         const double stress_lateral = shear * lateral_across + shear_mixed * normal_along;
@@ -78,7 +86,7 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         energy[k] = 0.5 * (stress_vertical * (n.left.vertical[k] + n.right.vertical[k]) +
                            (stress_normal * (n.left.normal[k] + n.right.normal[k]) +
                             stress_lateral * (n.left.lateral[k] + n.right.lateral[k]))) +
-                    conductivity * (across * (n.right.temperature[k] - n.left.temperature[k]));
+                    conductivity * (across * (n.right.temperature[k] - n.left.temperature[k])) + density_heat;
     }
 }
 
@@ -119,7 +127,8 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
                             flow().temperature.data() + f,
                             coefficients_.bulk.data() + f,
                             coefficients_.shear.data() + f,
-                            coefficients_.conductivity.data() + f};
+                            coefficients_.conductivity.data() + f,
+                            coefficients_.density_conductivity.data() + f};
     };
     const auto carried = [&](std::size_t set) {
         return Carried{work.row(4 * set), work.row(4 * set + 1), work.row(4 * set + 2), work.row(4 * set + 3)};

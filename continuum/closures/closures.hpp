@@ -4,12 +4,13 @@
 
 #include "continuum/choice.hpp"
 #include "continuum/closures/carnahan_starling.hpp"
+#include "continuum/closures/garzo_dufty.hpp"
 #include "continuum/closures/goldshtein.hpp"
 #include "continuum/closures/jenkins_richman.hpp"
 
 namespace continuum {
 
 using PairCorrelations = Choices<Goldshtein, CarnahanStarling>;
-using Closures = Choices<JenkinsRichman>;
+using Closures = Choices<JenkinsRichman, GarzoDufty>;
 
 }  // namespace continuum

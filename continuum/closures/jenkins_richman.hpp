@@ -28,7 +28,7 @@ struct JenkinsRichman {
     /// density > 0 and below packing, temperature > 0; restitution is that of fast contacts, unused here: the
     /// coefficients are those of nearly elastic spheres.
     template <class PairCorrelation>
-    static Transport transport(double density, double temperature, double /*restitution*/) {
+    [[gnu::always_inline]] static Transport transport(double density, double temperature, double /*restitution*/) {
         using std::numbers::pi;
         constexpr double root_pi = 1.7724538509055160;
         const double nu = sphere_volume * density;
@@ -45,7 +45,7 @@ struct JenkinsRichman {
 
     /// Rate of dT/dt = -rate D T^(3/2): (8/sqrt(pi)) G.
     template <class PairCorrelation>
-    static double cooling_rate(double density, double /*restitution*/) {
+    [[gnu::always_inline]] static double cooling_rate(double density, double /*restitution*/) {
         const double nu = sphere_volume * density;
         return (8.0 / 1.7724538509055160) * (nu * PairCorrelation::at(nu).g0);
     }

@@ -8,6 +8,7 @@
 #include "continuum/flux/fluxes.hpp"
 #include "continuum/reconstruct/limiters.hpp"
 #include "continuum/reconstruct/muscl.hpp"
+#include "continuum/reconstruct/weno5.hpp"
 #include "continuum/sweep.hpp"
 
 using namespace continuum;
@@ -22,9 +23,9 @@ double uniform(std::mt19937_64& engine, double low, double high) {
 
 FaceState random_state(std::mt19937_64& engine) {
     const double nu = std::exp(uniform(engine, std::log(1e-8), std::log(0.649)));
-    return face_state<Goldshtein>(nu / sphere_volume, uniform(engine, -5, 5), uniform(engine, -2, 2),
-                                  uniform(engine, -2, 2), std::exp(uniform(engine, std::log(1e-6), std::log(10.0))),
-                                  3.8);
+    const FaceValues values{nu / sphere_volume, uniform(engine, -5, 5), uniform(engine, -2, 2), uniform(engine, -2, 2),
+                            std::exp(uniform(engine, std::log(1e-6), std::log(10.0)))};
+    return face_state<Goldshtein>(values, 3.8);
 }
 
 FaceState mirrored(FaceState s) {
@@ -109,6 +110,20 @@ TEMPLATE_TEST_CASE("a limiter keeps straight lines, is odd and symmetric, and st
         // Half a slope to either side must not pass a neighbour.
         REQUIRE(0.5 * std::abs(TestType::slope(a, b)) <= std::min(std::abs(a), std::abs(b)) * (1.0 + 1e-15));
     }
+}
+
+TEST_CASE("WENO is exact on parabolas, and of fifth order on what is smooth") {
+    // Averages of z^2 over unit cells centred at -2 to 2; the edge lies at 1/2.
+    const auto square = [](double z) { return z * z + 1.0 / 12.0; };
+    CHECK(Weno5::edge(square(-2), square(-1), square(0), square(1), square(2)) == Approx(0.25).epsilon(1e-13));
+    const auto error = [](double h) {
+        const auto mean = [&](double z) { return (std::cos(z - 0.5 * h) - std::cos(z + 0.5 * h)) / h; };
+        const double z = 0.7;
+        return std::abs(Weno5::edge(mean(z - 2 * h), mean(z - h), mean(z), mean(z + h), mean(z + 2 * h)) -
+                        std::sin(z + 0.5 * h));
+    };
+    CHECK(std::log2(error(0.2) / error(0.1)) == Approx(5.0).margin(0.4));
+    CHECK(Weno5::edge(3.0, 3.0, 3.0, 3.0, 3.0) == Approx(3.0).epsilon(1e-15));
 }
 
 TEST_CASE("MUSCL is exact on straight lines") {
