@@ -13,6 +13,7 @@
 #include "md/event_queue.hpp"
 #include "md/moving_frame.hpp"
 #include "md/neighbour_lists.hpp"
+#include "md/paged_vector.hpp"
 #include "md/particle.hpp"
 
 namespace md {
@@ -63,15 +64,15 @@ class EventLoop final : public Engine {
     Box box_;
     double period_;
     Law law_;
-    int epochs_;  // a cycle
-    int cycles_between_sorts_;
+    int epochs_;                     // a cycle
+    double contacts_between_sorts_;  // of each particle
     MovingFrame frame_;
     std::int64_t cycle_ = 0;
     int epoch_ = 0;
     double now_ = 0.0;
     double highest_plate_ = 0.0;  // during this epoch
-    std::vector<Particle> particles_;
-    std::vector<Prediction> predictions_;
+    PagedVector<Particle> particles_;
+    PagedVector<Prediction> predictions_;
     NeighbourLists neighbours_;
     EventQueue queue_;
     Counters counters_;
@@ -79,6 +80,7 @@ class EventLoop final : public Engine {
     Ledger epoch_sums_;  // exchanges in this epoch: summed apart, so that round-off does not grow with the run
     ContactEvent::Kind last_kind_ = ContactEvent::Kind::pair;
     std::uint32_t last_first_ = 0, last_second_ = 0;
+    std::int64_t contacts_at_sort_ = 0;
     std::int64_t events_at_epoch_start_ = 0;
     std::int64_t stall_mark_events_ = 0;
     double stall_mark_time_ = 0.0;

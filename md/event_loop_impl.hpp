@@ -38,7 +38,7 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
       epochs_(setup.options.frames_per_cycle > 0 ? setup.options.frames_per_cycle
               : Layered                          ? 16
                                                  : 1),
-      cycles_between_sorts_(setup.options.cycles_between_sorts > 0 ? setup.options.cycles_between_sorts : 1),
+      contacts_between_sorts_(setup.options.contacts_between_sorts > 0.0 ? setup.options.contacts_between_sorts : 40.0),
       cycle_(setup.start.cycle),
       now_(0.0),
       particles_(setup.start.position.size()),
@@ -59,6 +59,7 @@ template <class Law, bool Layered>
 void EventLoop<Law, Layered>::sort_in_space() {
     md::sort_in_space(particles_);
     neighbours_.build(particles_);
+    contacts_at_sort_ = contacts();
 }
 
 template <class Law, bool Layered>
@@ -110,7 +111,9 @@ void EventLoop<Law, Layered>::start_next_epoch() {
         now_ = 0.0;
         stall_mark_time_ -= period_;
         for (Particle& p : particles_) p.time = 0.0;
-        if (cycle_ % cycles_between_sorts_ == 0) sort_in_space();
+        if (static_cast<double>(contacts() - contacts_at_sort_) >=
+            contacts_between_sorts_ * static_cast<double>(particles_.size()))
+            sort_in_space();
     }
     begin_epoch();
 }

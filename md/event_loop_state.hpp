@@ -55,8 +55,8 @@ template <class Law, bool Layered>
 void EventLoop<Law, Layered>::save(files::CheckpointWriter& out) const {
     const std::vector<double> system{box_.x, box_.y, box_.z, period_, static_cast<double>(epochs_)};
     out.put("md.system", system);
-    out.put("md.particles", particles_);
-    out.put("md.predictions", predictions_);
+    out.put("md.particles", std::span<const Particle>(particles_));
+    out.put("md.predictions", std::span<const Prediction>(predictions_));
     std::vector<double> times(particles_.size());
     for (std::uint32_t i = 0; i < times.size(); ++i) times[i] = queue_.time(i);
     out.put("md.event_times", times);
@@ -68,6 +68,7 @@ void EventLoop<Law, Layered>::save(files::CheckpointWriter& out) const {
     out.put("md.sums", sums_);
     out.put("md.epoch_sums", epoch_sums_);
     out.put("md.highest_plate", highest_plate_);
+    out.put("md.contacts_at_sort", contacts_at_sort_);
     out.put("md.events_at_epoch_start", events_at_epoch_start_);
     out.put("md.stall_mark_events", stall_mark_events_);
     out.put("md.stall_mark_time", stall_mark_time_);
@@ -89,6 +90,7 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     sums_ = in.take_one<Ledger>("md.sums");
     epoch_sums_ = in.take_one<Ledger>("md.epoch_sums");
     highest_plate_ = in.take_one<double>("md.highest_plate");
+    contacts_at_sort_ = in.take_one<std::int64_t>("md.contacts_at_sort");
     events_at_epoch_start_ = in.take_one<std::int64_t>("md.events_at_epoch_start");
     stall_mark_events_ = in.take_one<std::int64_t>("md.stall_mark_events");
     stall_mark_time_ = in.take_one<double>("md.stall_mark_time");

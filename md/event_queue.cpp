@@ -20,9 +20,9 @@ constexpr auto later = [](const QueuedEvent& a, const QueuedEvent& b) {
 EventQueue::EventQueue(std::size_t owners) : nodes_(owners, Node{0.0, end, parked}) { reset(0.0, 0.0, 1.0); }
 
 void EventQueue::reset(double start, double horizon, double expected) {
-    // One event a bucket; as many buckets as owners see nearly all events of their near future without a wrap.
+    // One event a bucket; with about as many buckets as owners most of the near future fits without a wrap.
     const double buckets = std::clamp(expected, 16.0, 1e9);
-    const std::size_t held = std::bit_ceil(std::clamp<std::size_t>(nodes_.size() * 2, 1024, std::size_t{1} << 24));
+    const std::size_t held = std::bit_ceil(std::clamp<std::size_t>(nodes_.size(), 1024, std::size_t{1} << 24));
     heads_.assign(held, end);
     mask_ = held - 1;
     start_ = start;

@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "md/paged_vector.hpp"
+
 namespace md {
 
 struct QueuedEvent {
@@ -79,8 +81,8 @@ class EventQueue {
     void pop();
     void open_next_bucket();
 
-    std::vector<Node> nodes_;
-    std::vector<std::uint32_t> heads_;
+    PagedVector<Node> nodes_;
+    PagedVector<std::uint32_t> heads_;
     std::vector<QueuedEvent> heap_;  // of the current bucket; smallest first
     std::size_t mask_ = 0;
     double start_ = 0.0, horizon_ = 0.0, buckets_per_time_ = 1.0;

@@ -82,11 +82,10 @@ class Disorder {
         for (std::uint32_t i = 0; i < centres_.size(); ++i) cells_[cell(centres_[i])].push_back(i);
     }
 
-    /// Every particle tries one move on average. Returns the share accepted.
+    /// Every particle tries one move, in turn. Returns the share accepted.
     double sweep(double step, RandomStream& random) {
         std::size_t accepted = 0;
-        for (std::size_t n = 0; n < centres_.size(); ++n) {
-            const std::size_t i = random.index(centres_.size());
+        for (std::size_t i = 0; i < centres_.size(); ++i) {
             Vector moved = centres_[i];
             for (double& coordinate : moved) coordinate += random.uniform(-step, step);
             moved[0] = region_.x.wrapped(moved[0]);
@@ -196,13 +195,15 @@ Snapshot make_initial_state(const InitialState& state, const Box& box) {
                         "fraction or a larger box would do",
                         state.particles, state.volume_fraction, box.x, box.y));
     std::vector<Vector> sites = sites_of(lattice, region);
-    for (std::size_t i = 0; i < count; ++i) {  // a random choice of sites, in random order
-        std::swap(sites[i], sites[i + random.index(sites.size() - i)]);
-        start.position.push_back(sites[i]);
-    }
+    // A random choice of sites in their order, each site taken with the chance that leaves enough for the rest (Knuth's
+    // algorithm S), so that particles near in space stay near in memory.
+    std::size_t left = sites.size();
+    for (const Vector& site : sites)
+        if (random.uniform() * static_cast<double>(left--) < static_cast<double>(count - start.position.size()))
+            start.position.push_back(site);
     Disorder disorder(region, start.position);
     double step = 0.3;
-    constexpr int sweeps = 100;  // at nu = 0.3 a particle wanders more than a diameter
+    constexpr int sweeps = 60;  // at nu = 0.3 a particle wanders about a diameter
     for (int n = 0; n < sweeps; ++n) {
         const double accepted = disorder.sweep(step, random);
         step = std::clamp(step * (accepted < 0.4 ? 0.9 : 1.1), 1e-3, 0.5);

@@ -32,7 +32,10 @@ NeighbourCells::NeighbourCells(const Box& box, double longest_reach, std::size_t
     const double largest = std::max({box.x, box.y, box.z});
     // Eight units in the last place of the largest coordinate: three differences of two rounded numbers each.
     margin_ = static_cast<float>(8.0 * largest) * std::numeric_limits<float>::epsilon();
-    const double width = longest_reach + 2.0 * margin_;
+    double width = longest_reach + 2.0 * margin_;
+    // In a dilute uniform system wider cells, of a few particles each, keep their number below that of the particles.
+    if (box.periodic_z)
+        width = std::max(width, std::cbrt(4.0 * box.x * box.y * box.z / static_cast<double>(particles)));
     const auto tiled = [&](double length) {
         const auto count = std::max(1, static_cast<std::int32_t>(std::floor(length / width)));
         return Axis{static_cast<float>(length), count / length, count};
@@ -46,8 +49,11 @@ NeighbourCells::NeighbourCells(const Box& box, double longest_reach, std::size_t
         const double height = std::min(box.z, 6.0 + 2.0 * static_cast<double>(particles) / (box.x * box.y));
         z_ = {0.0f, 1.0 / width, static_cast<std::int32_t>(std::bit_ceil(static_cast<unsigned>(height / width) + 3))};
     }
+    // A layer's cells may be close packed (1.41 per sigma^3); a uniform system's hold the mean and what it fluctuates.
     const double volume = 1.0 / (x_.per_width * y_.per_width * z_.per_width);
-    blocks_per_cell_ = static_cast<std::size_t>(1.4 * volume + 2.0) / lanes + 1;  // close packing is 1.41 per sigma^3
+    const double mean = static_cast<double>(particles) / (x_.count * y_.count * z_.count);
+    const double most = box.periodic_z ? mean + 2.0 * std::sqrt(mean) + 2.0 : 1.4 * volume + 2.0;
+    blocks_per_cell_ = static_cast<std::size_t>(most) / lanes + 1;
     const std::size_t cells = static_cast<std::size_t>(x_.count) * y_.count * z_.count;
     blocks_.resize(cells * blocks_per_cell_);
     counts_.resize(cells);
@@ -105,7 +111,7 @@ void NeighbourCells::replace(std::uint32_t cell, const Entry& entry) {
 }
 
 void NeighbourCells::make_room() {
-    const std::vector<Block> before = blocks_;
+    const PagedVector<Block> before = blocks_;
     const std::vector<std::uint16_t> counts = counts_;
     const std::size_t per_cell = blocks_per_cell_++;
     blocks_.resize(counts.size() * blocks_per_cell_);
@@ -176,13 +182,14 @@ std::size_t NeighbourCells::within_reach(std::uint32_t cell, const Entry& centre
 void NeighbourCells::save(files::CheckpointWriter& out) const {
     out.put("md.cells.blocks_per_cell", static_cast<std::uint64_t>(blocks_per_cell_));
     out.put("md.cells.counts", counts_);
-    out.put("md.cells.blocks", blocks_);
+    out.put("md.cells.blocks", std::span<const Block>(blocks_));
 }
 
 void NeighbourCells::restore(const files::CheckpointReader& in) {
     blocks_per_cell_ = in.take_one<std::uint64_t>("md.cells.blocks_per_cell");
     in.take_into("md.cells.counts", std::span(counts_));
-    blocks_ = in.take<Block>("md.cells.blocks");
+    const auto stored = in.take<Block>("md.cells.blocks");
+    blocks_.assign(stored.begin(), stored.end());
     if (blocks_.size() != counts_.size() * blocks_per_cell_)
         throw files::Damaged("the checkpoint's cells are not its size");
 }

@@ -11,6 +11,7 @@
 
 #include "files/checkpoint.hpp"
 #include "md/audit.hpp"
+#include "md/paged_vector.hpp"
 
 namespace md {
 
@@ -68,7 +69,7 @@ class NeighbourCells {
     Axis x_, y_, z_;
     float margin_;
     std::size_t blocks_per_cell_;
-    std::vector<Block> blocks_;          // (cells, blocks per cell); unused places lie out of every reach
+    PagedVector<Block> blocks_;          // (cells, blocks per cell); unused places lie out of every reach
     std::vector<std::uint16_t> counts_;  // (cells)
 };
 

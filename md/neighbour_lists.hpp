@@ -16,6 +16,7 @@
 #include "files/checkpoint.hpp"
 #include "md/audit.hpp"
 #include "md/neighbour_cells.hpp"
+#include "md/paged_vector.hpp"
 #include "md/particle.hpp"
 
 namespace md {
@@ -93,8 +94,8 @@ class NeighbourLists {
     NeighbourCells cells_;
     double shift_ = 0.0;
     std::size_t stride_;
-    std::vector<Centre> centres_;
-    std::vector<std::uint32_t> rows_;   // (N, stride): how many, then which
+    PagedVector<Centre> centres_;
+    PagedVector<std::uint32_t> rows_;   // (N, stride): how many, then which
     std::vector<std::uint32_t> found_;  // by the last search
 };
 

@@ -19,9 +19,9 @@ class Engine;
 
 /// Knobs of the method, not of the physics: they change the speed and the round-off, never the statistics.
 struct Options {
-    double shell = 0.0;            // reach of a neighbour list beyond contact, sigma; 0: chosen from the density
-    int frames_per_cycle = 0;      // how often the frame is made to follow the layer; 0: the default
-    int cycles_between_sorts = 0;  // particles are reordered in space this often; 0: the default
+    double shell = 0.0;                   // reach of a neighbour list beyond contact, sigma; 0: chosen from the density
+    int frames_per_cycle = 0;             // how often the frame is made to follow the layer; 0: the default
+    double contacts_between_sorts = 0.0;  // particles are reordered in space after so many of each; 0: the default
 };
 
 /// One run. Movable, not copyable. The trajectory is a function of the scene, the seed and the options alone: not of
