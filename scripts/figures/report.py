@@ -55,12 +55,12 @@ or a tolerance was stated beforehand.</p>
 <h2>Numbers beside the published ones</h2>
 {number_table(run.summary, references)}
 {origins(references)}
+<h2>Figures</h2>
+{"".join(figure(module, path) for module, path in images)}
 <h2>Centre of mass over the cycle</h2>
 {centre_table(run.summary)}
 <h2>What it took</h2>
 {cost_table(run.summary)}
-<h2>Figures</h2>
-{"".join(figure(module, path) for module, path in images)}
 </body></html>
 """
 

@@ -11,34 +11,12 @@ namespace {
 
 const scene::PlateMotion motion{5.0, 0.1};
 
-/// A front that runs up through a layer at rest on the plate; blocks of cycles differ by noise of the velocity.
-fields::PhaseMoments run_with_front(std::int64_t blocks) {
-    fields::PhaseMoments moments(40, {0.0, 0.5, 80}, 1.0, blocks, blocks);
-    for (std::int64_t cycle = 0; cycle < blocks; ++cycle) {
-        synthetic::Normal normal(static_cast<std::uint64_t>(cycle) + 1);
-        for (std::int64_t phase = 0; phase < 40; ++phase) {
-            const double ft = static_cast<double>(phase) / 40.0;
-            const synthetic::Front front{.location = ft < 0.2 ? -20.0 : 2.0 + 60.0 * (ft - 0.2)};
-            const double plate = motion.velocity(ft * motion.period());
-            moments.begin_sample(cycle, phase);
-            for (int i = 0; i < 400; ++i) {
-                const double z = 0.1 * i + 0.05;
-                const double n = front.volume_fraction(z) * 6.0 / std::numbers::pi;
-                moments.add_slab(z - 0.05, z + 0.05, n, {0.0, 0.0, plate + front.velocity(z) + 0.05 * normal()},
-                                 front.temperature(z));
-            }
-            moments.set_centre_of_mass(10.0 + 0.1 * normal());
-        }
-    }
-    return moments;
-}
-
 }  // namespace
 
 TEST_CASE("what compare.h5 says of a run is what was measured of it") {
     const compare::Medium medium = synthetic::ideal_gas();
-    const auto md = compare::measure(run_with_front(4), motion, medium);
-    const auto continuum = compare::measure(run_with_front(1), motion, medium);
+    const auto md = compare::measure(synthetic::run_with_front(4), motion, medium);
+    const auto continuum = compare::measure(synthetic::run_with_front(1), motion, medium);
     REQUIRE(md.all.history);
     const auto path = std::filesystem::temp_directory_path() / "shaken_compare_test.h5";
     compare::write_compare_file(path, md, continuum, medium, {});

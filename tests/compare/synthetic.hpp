@@ -10,7 +10,9 @@
 
 #include "compare/mach.hpp"
 #include "compare/shock_history.hpp"
+#include "fields/phase_moments.hpp"
 #include "fields/profile.hpp"
+#include "scene/plate_motion.hpp"
 
 namespace synthetic {
 
@@ -110,6 +112,29 @@ inline std::vector<compare::PhaseMeasures> measure(std::vector<fields::Profile> 
         measures.push_back(compare::measure_phase(profiles[k], ideal_gas()));
     }
     return measures;
+}
+
+/// A front that runs up through a layer at rest on the plate; blocks of cycles differ by noise of the velocity.
+inline fields::PhaseMoments run_with_front(std::int64_t blocks) {
+    const scene::PlateMotion motion{5.0, 0.1};
+    fields::PhaseMoments moments(40, {0.0, 0.5, 80}, 1.0, blocks, blocks);
+    for (std::int64_t cycle = 0; cycle < blocks; ++cycle) {
+        Normal normal(static_cast<std::uint64_t>(cycle) + 1);
+        for (std::int64_t phase = 0; phase < 40; ++phase) {
+            const double ft = static_cast<double>(phase) / 40.0;
+            const Front front{.location = ft < 0.2 ? -20.0 : 2.0 + 60.0 * (ft - 0.2)};
+            const double plate = motion.velocity(ft * motion.period());
+            moments.begin_sample(cycle, phase);
+            for (int i = 0; i < 400; ++i) {
+                const double z = 0.1 * i + 0.05;
+                const double n = front.volume_fraction(z) * 6.0 / std::numbers::pi;
+                moments.add_slab(z - 0.05, z + 0.05, n, {0.0, 0.0, plate + front.velocity(z) + 0.05 * normal()},
+                                 front.temperature(z));
+            }
+            moments.set_centre_of_mass(10.0 + 0.1 * normal());
+        }
+    }
+    return moments;
 }
 
 }  // namespace synthetic

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <catch2/catch.hpp>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "compare/compare_file.hpp"
+#include "compare/summary.hpp"
+#include "synthetic.hpp"
+
+namespace {
+
+// Debian's, which has h5py and matplotlib: another one first on the PATH may lack them.
+int run_report(const std::filesystem::path& folder) {
+    const std::string command =
+        "/usr/bin/python3 -B " SHAKEN_SOURCE_DIR "/scripts/figures/report.py " + folder.string() + " > /dev/null 2>&1";
+    return WEXITSTATUS(std::system(command.c_str()));
+}
+
+std::filesystem::path fresh_folder(const std::string& name) {
+    const auto folder = std::filesystem::temp_directory_path() / name;
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder);
+    return folder;
+}
+
+std::size_t count(const std::string& text, const std::string& part) {
+    std::size_t found = 0;
+    for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
+    return found;
+}
+
+}  // namespace
+
+TEST_CASE("a compared run becomes one report without outside parts, and each figure a PNG, a PDF and a CSV") {
+    const auto folder = fresh_folder("shaken_report_test");
+    const compare::Medium medium = synthetic::ideal_gas();
+    const scene::PlateMotion motion{5.0, 0.1};
+    const auto md = compare::measure(synthetic::run_with_front(3), motion, medium);
+    const auto continuum = compare::measure(synthetic::run_with_front(1), motion, medium);
+    scene::Scene scene;
+    scene.name = "a <synthetic> front";
+    compare::write_compare_file(folder / "compare.h5", md, continuum, medium, {});
+    std::ofstream(folder / "summary.json") << compare::summarise(md, continuum, scene, {}, {}).dump();
+    REQUIRE(run_report(folder) == 0);
+
+    std::ifstream in(folder / "report.html");
+    std::stringstream text;
+    text << in.rdbuf();
+    const std::string page = text.str();
+    CHECK(count(page, "data:image/png;base64,") == 4);
+    CHECK(count(page, "http") == 0);
+    CHECK(count(page, "a &lt;synthetic&gt; front") == 2);  // title and heading, escaped
+    for (const char* figure : {"figure_4_1", "figure_4_2b", "figure_4_3", "figure_4_5"}) {
+        for (const char* kind : {".png", ".pdf", ".csv"}) {
+            const auto file = folder / "figures" / (std::string(figure) + kind);
+            INFO(file);
+            CHECK(std::filesystem::exists(file));
+        }
+    }
+    std::filesystem::remove_all(folder);
+}
+
+TEST_CASE("a folder that was not compared is refused as input that is not there") {
+    const auto folder = fresh_folder("shaken_report_empty");
+    CHECK(run_report(folder) == 66);
+    std::filesystem::remove_all(folder);
+}
