@@ -163,7 +163,7 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
         const double left = new_energy - 0.5 * new_density * (v_z * v_z + (v_x * v_x + v_y * v_y));
         const double chosen = left > trust * new_density * jump[i] ? left : by_compression;
         const double least = 1.5 * floor * new_density;
-        const double kept = larger(chosen, least);
+        const double kept = larger(least, chosen);
 
         const bool admissible =
             (new_density > 0.0) & (new_density < packing) & (std::abs(v_z) < 1e100) & (kept < 1e100);

@@ -201,6 +201,17 @@ double Evolution::mass() const {
     return all * grid().dz / static_cast<double>(grid().columns());
 }
 
+double Evolution::mass_share_at_temperature_floor() const {
+    double held = 0.0;
+    for (std::int64_t column = 0; column < grid().columns(); ++column)
+        for (std::int64_t iz = 0; iz < grid().nz; ++iz) {
+            const auto i = static_cast<std::size_t>(grid().first(column) + iz);
+            // A step of diffusion may leave a cell a little above the floor it was put on.
+            if (flow().temperature[i] < 1.01 * constants_.floor_temperature) held += flow().density[i];
+        }
+    return held * grid().dz / (static_cast<double>(grid().columns()) * mass());
+}
+
 double Evolution::total_energy() const {
     double all = 0.0;
     for (std::int64_t column = 0; column < grid().columns(); ++column) {

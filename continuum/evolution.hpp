@@ -50,6 +50,8 @@ class Evolution {
     double bytes_per_cell() const;
     Flow& flow() { return setup_.flow; }
     double mass() const;  // per horizontal area
+    double mass_share_at_temperature_floor() const;
+    double floor_temperature() const { return constants_.floor_temperature; }
     Ledger ledger() const;
     std::int64_t steps() const { return steps_; }
     std::int64_t repeated_steps() const { return repeated_; }

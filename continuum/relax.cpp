@@ -59,7 +59,7 @@ void Evolution::cool(std::int64_t column, double dt, Workspace& work) {
 #pragma omp simd reduction(+ : lost, floored)
         for (std::int64_t i = 0; i < nz; ++i) {
             const double new_temperature = cooled(temperature[i], half_step * rate[i]);
-            const double kept = new_temperature > floor ? new_temperature : floor;
+            const double kept = larger(floor, new_temperature);
             lost += density[i] * (temperature[i] - new_temperature);
             floored += density[i] * (kept - new_temperature);
             temperature[i] = kept;
@@ -69,10 +69,12 @@ void Evolution::cool(std::int64_t column, double dt, Workspace& work) {
 #pragma omp simd reduction(+ : lost, floored)
         for (std::int64_t i = 0; i < nz; ++i) {
             const double t = temperature[i];
-            const double middle = cooled(t, 0.25 * dt * rate[i] * EffectiveDissipation::interpolate(table, t));
-            const double new_temperature =
-                cooled(t, 0.5 * dt * rate[i] * EffectiveDissipation::interpolate(table, middle));
-            const double kept = new_temperature > floor ? new_temperature : floor;
+            const EffectiveDissipation::Local d = EffectiveDissipation::interpolate(table, t);
+            // ln(T_middle/T) = -2 ln(1 + x), x over a quarter of the step's exponent, by its Pade approximant.
+            const double x = (0.25 * dt * rate[i]) * (d.value * std::sqrt(t));
+            const double at_middle = larger(d.value - d.slope * (4.0 * x / (2.0 + x)), 0.0);
+            const double new_temperature = cooled(t, (0.5 * dt * rate[i]) * at_middle);
+            const double kept = larger(floor, new_temperature);
             lost += density[i] * (t - new_temperature);
             floored += density[i] * (kept - new_temperature);
             temperature[i] = kept;

@@ -232,8 +232,8 @@ void Evolution::apply_horizontal_stresses(std::int64_t column, double dt) {
         const double gained = (2.0 / 3.0) * (step * energy[k] - motion);
         // The mixed terms may take heat in one part of a step that another gives back; never more than half of it.
         const double wanted = temperature[k] + gained;
-        const double chosen = larger(wanted, 0.5 * temperature[k]);
-        const double kept = larger(chosen, floor);
+        const double chosen = larger(0.5 * temperature[k], wanted);
+        const double kept = larger(floor, chosen);
         corrected += density[k] * (chosen - wanted);
         floored += density[k] * (kept - chosen);
         u_x[k] += change_x;

@@ -44,9 +44,19 @@ struct Solver::Parts {
             phase = 0;
             ++cycle;
         }
+        const double share = evolution.mass_share_at_temperature_floor();
+        if (share > most_mass_at_floor)
+            throw RunFailed(fmt::format(
+                "continuum: at cycle {}, time {:.6g} in the cycle, {:.0f} % of the mass is held at the temperature "
+                "floor {:.3g} "
+                "(at most {:.0f} % is allowed): the gas has frozen; lower continuum.floor_temperature, or raise the "
+                "restitution",
+                cycle, instant(phase), 100.0 * share, evolution.floor_temperature(), 100.0 * most_mass_at_floor));
     }
 
     static constexpr double most_steps_a_phase = 1e6;
+    // Heat that the floor gives to this much of the layer is no longer a correction.
+    static constexpr double most_mass_at_floor = 0.5;
 
     Evolution evolution;
     double period;

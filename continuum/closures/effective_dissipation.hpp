@@ -26,21 +26,26 @@ class EffectiveDissipation {
 
     /// D at a temperature; outside 2^-40 to 2^40 g sigma the value at the nearer end.
     double operator()(double temperature) const {
-        if (table_.empty()) return constant_;
-        return interpolate(table_.data(), temperature);
+        return table_.empty() ? constant_ : interpolate(table_.data(), temperature).value;
     }
 
     /// For loops over cells: the table, to be handed to interpolate().
     const double* table() const { return table_.data(); }
-    static double interpolate(const double* table, double temperature) {
+    struct Local {
+        double value;
+        double slope;  // dD/d(ln T)
+    };
+    [[gnu::always_inline]] static Local interpolate(const double* table, double temperature) {
         double place = (fast_log2(temperature) - lowest) * per_octave;
         place = place > 1.0 ? place : 1.0;
         place = place < last ? place : last;
         const std::int32_t i = static_cast<std::int32_t>(place);
         const double x = place - i;
-        const double* v = table + i;
-        const double a = v[-1], b = v[0], c = v[1], d = v[2];
-        return b + 0.5 * x * ((c - a) + x * ((2.0 * a - 5.0 * b + 4.0 * c - d) + x * (3.0 * (b - c) + d - a)));
+        const double a = table[i - 1], b = table[i], c = table[i + 1], d = table[i + 2];
+        const double linear = c - a, square = 2.0 * a - 5.0 * b + 4.0 * c - d, cube = 3.0 * (b - c) + d - a;
+        constexpr double places_a_unit_of_ln = per_octave / 0.69314718055994531;
+        return {b + 0.5 * x * (linear + x * (square + x * cube)),
+                0.5 * (linear + x * (2.0 * square + 3.0 * x * cube)) * places_a_unit_of_ln};
     }
 
   private:

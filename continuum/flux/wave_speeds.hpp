@@ -17,6 +17,7 @@ struct WaveSpeeds {
     double signal;
 };
 
+/// Both return b if a is not a number: a bound comes first, so that what is bounded shows when it is not one.
 [[gnu::always_inline]] inline double larger(double a, double b) { return a > b ? a : b; }
 [[gnu::always_inline]] inline double smaller(double a, double b) { return a < b ? a : b; }
 

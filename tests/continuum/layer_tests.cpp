@@ -3,6 +3,9 @@
 
 #include <cmath>
 
+#include "continuum/errors.hpp"
+#include "continuum/evolution.hpp"
+#include "continuum/initial_state.hpp"
 #include "continuum/solver.hpp"
 #include "files/checkpoint.hpp"
 #include "files/errors.hpp"
@@ -109,6 +112,19 @@ TEST_CASE("a restored solver goes on bit for bit") {
     other.continuum.spacing = 0.5;
     Solver misfit(other);
     CHECK_THROWS_AS(misfit.restore(files::CheckpointReader(folder / "state")), files::Damaged);
+}
+
+TEST_CASE("a run that fails says where and when") {
+    scene::Scene frozen = small_layer();
+    frozen.particles.restitution = scene::RestitutionConstant{0.6};
+    frozen.continuum.floor_temperature = 0.5;
+    Solver cold(frozen);
+    CHECK_THROWS_WITH(cold.advance_to_phase(5, 0), Catch::Contains("temperature floor") && Catch::Contains("cycle 0"));
+
+    Setup setup = make_setup(small_layer());
+    setup.flow.temperature[static_cast<std::size_t>(setup.grid.first(0)) + 5] = std::nan("");
+    Evolution poisoned(setup);
+    CHECK_THROWS_WITH(poisoned.step(0.25, 0.01), Catch::Contains("0.25") && Catch::Contains("height"));
 }
 
 TEST_CASE("how often one looks does not change the flow") {
