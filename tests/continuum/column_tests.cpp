@@ -133,6 +133,7 @@ TEST_CASE("a mirrored flow gives the mirrored bits and the same steps") {
     setup.restitution = 0.8;
     setup.sink = scene::RestitutionVelocity{0.8, 1.0};
     setup.gravity = 1.0;
+    setup.choices.scheme.name = GENERATE("muscl", "weno5");
     Setup turned = setup;
     turned.gravity = -1.0;
     const auto first = static_cast<std::size_t>(setup.grid.first(0));
@@ -179,12 +180,13 @@ TEST_CASE("near-vacuum and near-packing states survive with their mass", "[conse
         Case{"streams that part at Mach 8", 0.3, -40.0, 1.0}, Case{"a vacuum opens", 1e-9, -20.0, 1e-6},
         Case{"packed and hot", 0.64, 0.0, 10.0}, Case{"packed streams that meet", 0.64, 1.0, 1e-3},
         Case{"cold streams that meet", 0.3, 10.0, 1e-6}, Case{"dilute cold streams that meet", 1e-9, 10.0, 1e-8});
-    const std::string transport = GENERATE("inviscid", "navier_stokes");
-    INFO(extreme.name << ", " << transport);
+    const std::string transport = GENERATE("inviscid", "navier_stokes"), scheme = GENERATE("muscl", "weno5");
+    INFO(extreme.name << ", " << transport << ", " << scheme);
     Setup setup = cases::tube(100, 20.0, End::wall, End::wall, [&](double z) {
         return Point{extreme.nu, z < 10.0 ? extreme.velocity : -extreme.velocity, extreme.temperature};
     });
     setup.choices.transport.name = transport;
+    setup.choices.scheme.name = scheme;
     setup.restitution = 0.9;
     setup.sink = scene::RestitutionConstant{0.9};
     Evolution evolution(setup);
