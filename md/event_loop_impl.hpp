@@ -38,7 +38,8 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
       epochs_(setup.options.frames_per_cycle > 0 ? setup.options.frames_per_cycle
               : Layered                          ? 16
                                                  : 1),
-      contacts_between_sorts_(setup.options.contacts_between_sorts > 0.0 ? setup.options.contacts_between_sorts : 100.0),
+      contacts_between_sorts_(setup.options.contacts_between_sorts > 0.0 ? setup.options.contacts_between_sorts
+                                                                         : 100.0),
       cycle_(setup.start.cycle),
       now_(0.0),
       particles_(setup.start.position.size()),

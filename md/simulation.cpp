@@ -5,9 +5,11 @@
 
 #include <bit>
 #include <cmath>
+#include <utility>
 
 #include "md/engine.hpp"
 #include "md/errors.hpp"
+#include "md/h5md.hpp"
 #include "md/initial_state.hpp"
 
 namespace md {
@@ -23,6 +25,20 @@ std::uint64_t seed_of(const scene::Scene& scene) {
     z = (z ^ z >> 30) * 0xbf58476d1ce4e5b9;
     z = (z ^ z >> 27) * 0x94d049bb133111eb;
     return z ^ z >> 31;
+}
+
+/// The random layer, or the last frame of the trajectory that the scene names.
+Snapshot start_of(const scene::Scene& scene) {
+    if (scene.initial.file.empty())
+        return make_initial_state(
+            {scene.number_of_particles, scene.initial.volume_fraction, scene.initial.temperature, seed_of(scene)},
+            box_of(scene));
+    H5mdFrames read = read_h5md(scene.initial.file);
+    const std::size_t found = read.frames.empty() ? 0 : read.frames.back().position.size();
+    if (found != static_cast<std::size_t>(scene.number_of_particles))
+        throw CannotSetUp(fmt::format("md: initial.file {} ends with {} particles, the scene has {}",
+                                      scene.initial.file, found, scene.number_of_particles));
+    return std::move(read.frames.back());
 }
 
 void refuse_overlaps(const Snapshot& start, const Box& box) {
@@ -49,11 +65,7 @@ std::unique_ptr<Engine> make_layer(const scene::Scene& scene, Snapshot start, co
 }  // namespace
 
 Simulation::Simulation(const scene::Scene& scene, const Options& options)
-    : Simulation(scene,
-                 make_initial_state({scene.number_of_particles, scene.initial.volume_fraction,
-                                     scene.initial.temperature, seed_of(scene)},
-                                    box_of(scene)),
-                 options) {}
+    : Simulation(scene, start_of(scene), options) {}
 
 Simulation::Simulation(const scene::Scene& scene, const Snapshot& start, const Options& options)
     : engine_(make_layer(scene, start, options)) {}

@@ -28,8 +28,8 @@ struct Options {
 /// how often advance_to is called, nor of checkpoints in between.
 class Simulation {
   public:
-    /// Random flat layer from scene.md.seed (a scene with initial.seed = s and md.seed = t uses both).
-    /// Throws CannotSetUp when the particles do not fit.
+    /// A random flat layer from initial.seed and md.seed, or the last frame of initial.file (H5MD) where one is named.
+    /// Throws CannotSetUp when the particles do not fit or overlap, files::NoInput or Damaged for the file.
     explicit Simulation(const scene::Scene& scene, const Options& options = {});
     explicit Simulation(const UniformSystem& system, const Options& options = {});
     /// From given lab-frame positions and velocities at cycle 0, time 0, in place of the random layer.
