@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include "app/bench_command.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <charconv>
@@ -14,7 +14,7 @@
 #include "md/benchmark.hpp"
 #include "scene/read_scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -80,4 +80,4 @@ int run_continuum_bench(const ContinuumBench& bench) {
     return exit_code::done;
 }
 
-}  // namespace app
+}  // namespace shaken::app

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace shaken::app {
 
 struct MdBench {
     std::filesystem::path scene_file;  // empty: a uniform elastic gas
@@ -31,4 +31,4 @@ int run_md_bench(const MdBench& bench);
 /// Throws UsageError for cells that do not fit the dimension.
 int run_continuum_bench(const ContinuumBench& bench);
 
-}  // namespace app
+}  // namespace shaken::app

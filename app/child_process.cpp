@@ -14,7 +14,7 @@
 
 #include "files/errors.hpp"
 
-namespace app {
+namespace shaken::app {
 
 ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments, bool silent) {
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
@@ -76,4 +76,4 @@ std::string drawing_python() {
         "python3-numpy");
 }
 
-}  // namespace app
+}  // namespace shaken::app

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace shaken::app {
 
 /// A running child; its standard streams are ours.
 class ChildProcess {
@@ -37,4 +37,4 @@ std::filesystem::path share_folder();
 /// Throws files::NoInput with the names of the packages if there is none.
 std::string drawing_python();
 
-}  // namespace app
+}  // namespace shaken::app

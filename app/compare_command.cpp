@@ -15,7 +15,7 @@
 #include "files/errors.hpp"
 #include "scene/read_scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -129,4 +129,4 @@ int run_report(const std::filesystem::path& folder) {
     return exit_code::done;
 }
 
-}  // namespace app
+}  // namespace shaken::app

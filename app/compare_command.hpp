@@ -4,7 +4,7 @@
 
 #include <filesystem>
 
-namespace app {
+namespace shaken::app {
 
 /// Reads md.h5 and continuum.h5, writes compare.h5 and summary.json, prints the numbers. Throws files::NoInput where an
 /// engine's file is missing.
@@ -13,4 +13,4 @@ int run_compare(const std::filesystem::path& folder);
 /// Draws figures/ and report.html. Throws files::NoInput where compare.h5 is missing.
 int run_report(const std::filesystem::path& folder);
 
-}  // namespace app
+}  // namespace shaken::app

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include "app/continuum_run.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 
@@ -10,7 +10,7 @@
 #include "files/provenance.hpp"
 #include "scene/read_scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -136,4 +136,4 @@ void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, 
     frames.write_xdmf();
 }
 
-}  // namespace app
+}  // namespace shaken::app

@@ -12,7 +12,7 @@
 #include "fields/time_series.hpp"
 #include "scene/scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 /// Cell fields at one sample instant, arrays (nz, ny, nx).
 struct ContinuumFrame {
@@ -51,4 +51,4 @@ class ContinuumRun {
     std::int64_t next_ = 0;
 };
 
-}  // namespace app
+}  // namespace shaken::app

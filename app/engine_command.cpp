@@ -15,7 +15,7 @@
 #include "files/errors.hpp"
 #include "scene/read_scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -91,4 +91,4 @@ int start_or_resume(const std::string& engine, const EngineOptions& options) {
 int run_md(const EngineOptions& options) { return start_or_resume<MdRun>("md", options); }
 int run_continuum(const EngineOptions& options) { return start_or_resume<ContinuumRun>("continuum", options); }
 
-}  // namespace app
+}  // namespace shaken::app

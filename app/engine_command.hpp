@@ -4,10 +4,10 @@
 
 #include "app/options.hpp"
 
-namespace app {
+namespace shaken::app {
 
 /// Both return an exit code (done or stopped) and throw what goes wrong.
 int run_md(const EngineOptions& options);
 int run_continuum(const EngineOptions& options);
 
-}  // namespace app
+}  // namespace shaken::app

@@ -14,7 +14,7 @@
 #include "app/signals.hpp"
 #include "files/checkpoint.hpp"
 
-namespace app {
+namespace shaken::app {
 
 /// Seconds this process has computed.
 inline double cpu_seconds() { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; }
@@ -109,4 +109,4 @@ class EngineLoop {
     Clock::time_point start_ = Clock::now(), last_checkpoint_ = start_, last_status_ = start_;
 };
 
-}  // namespace app
+}  // namespace shaken::app

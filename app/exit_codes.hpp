@@ -2,7 +2,7 @@
 // Exit codes of the command, after sysexits.h where it has one.
 #pragma once
 
-namespace app::exit_code {
+namespace shaken::app::exit_code {
 
 inline constexpr int done = 0;
 inline constexpr int run_failed = 1;      // not a number, overlap, stall
@@ -13,4 +13,4 @@ inline constexpr int cannot_create = 73;  // no permission, folder not empty, in
 inline constexpr int write_failed = 74;   // disk full, I/O error
 inline constexpr int stopped = 75;        // by a signal or the time limit; a checkpoint is there, resumable
 
-}  // namespace app::exit_code
+}  // namespace shaken::app::exit_code

@@ -6,7 +6,7 @@
 
 #include "scene/scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 /// A sample instant by its number since the start.
 struct Instant {
@@ -29,4 +29,4 @@ inline bool is_frame(const Instant& instant, const scene::Scene& scene) {
            instant.phase % (scene.sample.phases / scene.sample.frames) == 0;
 }
 
-}  // namespace app
+}  // namespace shaken::app

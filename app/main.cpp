@@ -19,6 +19,8 @@
 #include "scene/read_scene.hpp"
 #include "shaken_version.hpp"
 
+using namespace shaken;
+
 namespace {
 
 using namespace app;

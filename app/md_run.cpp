@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include <fmt/format.h>
-
 #include "app/md_run.hpp"
+
+#include <fmt/format.h>
 
 #include <array>
 #include <numeric>
@@ -11,7 +11,7 @@
 #include "md/h5md.hpp"
 #include "scene/read_scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -96,4 +96,4 @@ void MdRun::write(const std::filesystem::path& path, const Spent& spent, const s
     std::filesystem::rename(aside, path);
 }
 
-}  // namespace app
+}  // namespace shaken::app

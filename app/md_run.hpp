@@ -12,7 +12,7 @@
 #include "md/simulation.hpp"
 #include "scene/scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 class MdRun {
   public:
@@ -43,4 +43,4 @@ class MdRun {
     std::int64_t next_ = 0;
 };
 
-}  // namespace app
+}  // namespace shaken::app

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace shaken::app {
 
 /// A command line that cannot be meant; exit code 2.
 struct UsageError : std::runtime_error {
@@ -27,4 +27,4 @@ struct EngineOptions {
     double checkpoint_every = 300.0;                                // seconds of wall time
 };
 
-}  // namespace app
+}  // namespace shaken::app

@@ -9,7 +9,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -100,4 +100,4 @@ void ProgressDisplay::finish(const std::vector<Status>& engines) {
     drawn_lines_ = 0;
 }
 
-}  // namespace app
+}  // namespace shaken::app

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-namespace app {
+namespace shaken::app {
 
 /// What is known of an engine's run at one instant; the content of DIR/ENGINE.status.json.
 struct Status {
@@ -47,4 +47,4 @@ class ProgressDisplay {
     std::size_t drawn_lines_ = 0;
 };
 
-}  // namespace app
+}  // namespace shaken::app

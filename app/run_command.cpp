@@ -20,7 +20,7 @@
 #include "files/atomic_write.hpp"
 #include "scene/read_scene.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -113,4 +113,4 @@ int run_both(const EngineOptions& options) {
     return exit_code::done;
 }
 
-}  // namespace app
+}  // namespace shaken::app

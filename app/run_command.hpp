@@ -4,8 +4,8 @@
 
 #include "app/options.hpp"
 
-namespace app {
+namespace shaken::app {
 
 int run_both(const EngineOptions& options);
 
-}  // namespace app
+}  // namespace shaken::app

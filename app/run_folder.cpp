@@ -12,7 +12,7 @@
 
 #include "files/errors.hpp"
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -63,4 +63,4 @@ FolderLock::~FolderLock() {
     ::close(descriptor_);
 }
 
-}  // namespace app
+}  // namespace shaken::app

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace app {
+namespace shaken::app {
 
 /// Paths of one engine's files ("md" or "continuum") in a run folder.
 struct EngineFiles {
@@ -33,4 +33,4 @@ class FolderLock {
     int descriptor_ = -1;
 };
 
-}  // namespace app
+}  // namespace shaken::app

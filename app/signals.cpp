@@ -3,7 +3,7 @@
 
 #include <csignal>
 
-namespace app {
+namespace shaken::app {
 
 namespace {
 
@@ -37,4 +37,4 @@ bool take_checkpoint_request() {
     return asked;
 }
 
-}  // namespace app
+}  // namespace shaken::app

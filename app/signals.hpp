@@ -2,11 +2,11 @@
 // TERM and INT ask a run to stop with a checkpoint, USR1 asks for a checkpoint. The handlers only set flags.
 #pragma once
 
-namespace app {
+namespace shaken::app {
 
 void catch_signals();
 bool stop_requested();
 /// True once for each USR1.
 bool take_checkpoint_request();
 
-}  // namespace app
+}  // namespace shaken::app

@@ -6,7 +6,7 @@
 
 #include "compare/jackknife.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 Analysis analyse(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium,
                  std::optional<std::int64_t> left_out_block) {
@@ -52,4 +52,4 @@ std::size_t nearest_phase(double phase, std::size_t phases) {
     return static_cast<std::size_t>(std::lround(phase * static_cast<double>(phases))) % phases;
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -13,7 +13,7 @@
 #include "fields/phase_moments.hpp"
 #include "scene/plate_motion.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// One cycle, averaged over cycles. All vectors have one entry a phase.
 struct Analysis {
@@ -48,4 +48,4 @@ std::vector<double> at_equal_phases(const std::vector<double>& values, std::int6
 /// Index of the phase nearest to ft, among `phases` equal ones.
 std::size_t nearest_phase(double phase, std::size_t phases);
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -10,7 +10,7 @@
 
 #include "files/hdf5.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -183,4 +183,4 @@ void write_compare_file(const std::filesystem::path& path, const Measured& md, c
     file.close();
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

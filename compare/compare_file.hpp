@@ -9,11 +9,11 @@
 #include "compare/mach.hpp"
 #include "files/provenance.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// Replaces an existing file. Both must have the same phases and bins: throws std::invalid_argument otherwise;
 /// files::CannotCreate or WriteFailed where it cannot be written.
 void write_compare_file(const std::filesystem::path& path, const Measured& md, const Measured& continuum,
                         const Medium& medium, const files::Provenance& provenance);
 
-}  // namespace compare
+}  // namespace shaken::compare

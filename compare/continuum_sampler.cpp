@@ -8,7 +8,7 @@
 
 #include "compare/md_sampler.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -79,4 +79,4 @@ void ContinuumSampler::save(files::CheckpointWriter& out) const { moments_.save(
 
 void ContinuumSampler::restore(const files::CheckpointReader& in) { moments_.restore(in, "compare/continuum/"); }
 
-}  // namespace compare
+}  // namespace shaken::compare

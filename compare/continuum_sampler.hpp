@@ -12,7 +12,7 @@
 #include "files/checkpoint.hpp"
 #include "scene/scene.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 class ContinuumSampler {
   public:
@@ -37,4 +37,4 @@ class ContinuumSampler {
     fields::PhaseMoments moments_;
 };
 
-}  // namespace compare
+}  // namespace shaken::compare

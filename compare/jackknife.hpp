@@ -9,7 +9,7 @@
 #include <cstddef>
 #include <span>
 
-namespace compare {
+namespace shaken::compare {
 
 /// NaN for fewer than two blocks, or where an estimate is not finite.
 inline double jackknife_error(std::span<const double> without_each_block) {
@@ -22,4 +22,4 @@ inline double jackknife_error(std::span<const double> without_each_block) {
     return std::sqrt((blocks - 1.0) / blocks * squares);
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compare/layer.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -31,4 +31,4 @@ std::optional<Layer> find_layer(const fields::Profile& profile, double threshold
     return layer;
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

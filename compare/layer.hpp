@@ -7,7 +7,7 @@
 
 #include "fields/profile.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// 0.04 nu_max with nu_max = 0.65.
 inline constexpr double layer_volume_fraction = 0.04 * 0.65;
@@ -23,4 +23,4 @@ struct Layer {
 /// which must not cut the layer. None where no bin is above it.
 std::optional<Layer> find_layer(const fields::Profile& profile, double threshold = layer_volume_fraction);
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compare/mach.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 double mach_number(const fields::Profile& profile, std::size_t bin, const Medium& medium) {
     if (!(profile.density[bin] > 0.0) || !(profile.temperature[bin] > 0.0)) return std::nan("");
@@ -31,4 +31,4 @@ MaximumMach maximum_mach(const fields::Profile& profile, const std::vector<doubl
     return best;
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -10,7 +10,7 @@
 #include "compare/layer.hpp"
 #include "fields/profile.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// What a profile is made of, as far as the comparison needs it.
 struct Medium {
@@ -34,4 +34,4 @@ struct MaximumMach {
 /// Greatest Mach number in the bins of the layer; the dilute gas outside does not count.
 MaximumMach maximum_mach(const fields::Profile& profile, const std::vector<double>& mach, const Layer& layer);
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -47,4 +47,4 @@ void MdSampler::save(files::CheckpointWriter& out) const { moments_.save(out, "c
 
 void MdSampler::restore(const files::CheckpointReader& in) { moments_.restore(in, "compare/md/"); }
 
-}  // namespace compare
+}  // namespace shaken::compare

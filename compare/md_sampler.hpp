@@ -10,7 +10,7 @@
 #include "md/observer.hpp"
 #include "scene/scene.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// The bins of a scene, the same for both engines: from the plate to the continuum's lid, [sample] bin wide.
 /// Particles above the lid count in the centre of mass only.
@@ -36,4 +36,4 @@ class MdSampler : public md::Observer {
     fields::PhaseMoments moments_;
 };
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -5,7 +5,7 @@
 
 #include "continuum/closures/equation_of_state.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 Medium medium_of(const scene::Scene& scene) {
     const continuum::EquationOfState equation = continuum::make_equation_of_state(scene);
@@ -16,4 +16,4 @@ Medium medium_of(const scene::Scene& scene) {
             [](double density) { return continuum::mean_free_path(density); }};
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -6,10 +6,10 @@
 #include "compare/mach.hpp"
 #include "scene/scene.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// Sound speed is NaN at and beyond the packing limit of the equation of state, which crystals in MD exceed.
 /// Throws scene::SceneError for a closure that is unknown.
 Medium medium_of(const scene::Scene& scene);
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -169,4 +169,4 @@ std::optional<Shock> find_shock(const fields::Profile& profile, const Layer& lay
     return shock;
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -19,7 +19,7 @@
 #include "compare/mach.hpp"
 #include "fields/profile.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 struct Shock {
     double top = 0.0;  // heights above the plate, sigma; all between the bins by a parabola through three
@@ -63,4 +63,4 @@ struct ShockCriteria {
 std::optional<Shock> find_shock(const fields::Profile& profile, const Layer& layer, const std::vector<double>& mach,
                                 const Medium& medium, const ShockCriteria& criteria = {});
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <cstddef>
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
     return history;
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

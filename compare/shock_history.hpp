@@ -11,7 +11,7 @@
 #include "compare/shock.hpp"
 #include "fields/profile.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// What is measured of one profile.
 struct PhaseMeasures {
@@ -53,4 +53,4 @@ struct ShockHistory {
 /// are the speeds, where the location never passes the upper edge.
 std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency);
 
-}  // namespace compare
+}  // namespace shaken::compare

@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace compare {
+namespace shaken::compare {
 
 namespace {
 
@@ -160,4 +160,4 @@ nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, 
     return out;
 }
 
-}  // namespace compare
+}  // namespace shaken::compare

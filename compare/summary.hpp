@@ -11,7 +11,7 @@
 #include "compare/analysis.hpp"
 #include "scene/scene.hpp"
 
-namespace compare {
+namespace shaken::compare {
 
 /// What an engine spent; measured by whoever ran it. Absent: not measured, null in the JSON.
 struct Cost {
@@ -41,4 +41,4 @@ double shock_location_rms(const Analysis& continuum, const Analysis& md, double 
 nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, const scene::Scene& scene,
                                  const Cost& md_cost, const Cost& continuum_cost);
 
-}  // namespace compare
+}  // namespace shaken::compare

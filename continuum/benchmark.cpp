@@ -12,7 +12,7 @@
 #include "continuum/evolution.hpp"
 #include "continuum/initial_state.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 BenchmarkResult benchmark(std::int64_t cells_x, std::int64_t cells_y, std::int64_t cells_z, std::int64_t steps,
                           const std::string& scheme) {
@@ -57,4 +57,4 @@ BenchmarkResult benchmark(std::int64_t cells_x, std::int64_t cells_y, std::int64
     return result;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct BenchmarkResult {
     std::int64_t cells = 0;
@@ -22,4 +22,4 @@ struct BenchmarkResult {
 BenchmarkResult benchmark(std::int64_t cells_x, std::int64_t cells_y, std::int64_t cells_z, std::int64_t steps,
                           const std::string& scheme = "muscl");
 
-}  // namespace continuum
+}  // namespace shaken::continuum

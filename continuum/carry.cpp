@@ -9,7 +9,7 @@
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -198,4 +198,4 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
     return unsound == 0.0;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -9,7 +9,7 @@
 
 #include "continuum/evolution.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -72,4 +72,4 @@ void Evolution::sweep_along_y(SweepKernel sweep, bool first_sweep, Workspace& wo
     }
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -9,7 +9,7 @@
 
 #include "scene/errors.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 template <class... Types>
 struct Choices {
@@ -34,4 +34,4 @@ auto choose(Choices<First, Rest...> list, const std::string& parameter, const sc
     return result;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -8,7 +8,7 @@
 
 #include <cstdint>
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// n >= 2. `values` holds r on entry and x on return; `ratio` is scratch of length n.
 inline void solve_diffusion(std::int64_t n, const double* capacity, const double* coupling, double* values,
@@ -46,4 +46,4 @@ inline void solve_diffusion(std::int64_t n, const double* capacity, const double
     }
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

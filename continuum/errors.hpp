@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// The state can not be advanced (not a number, the step fell below its limit, the floors hold too much of the mass).
 /// The message says where (cell, height), when (cycle, time within it) and what was found. The state of the solver
@@ -13,4 +13,4 @@ struct RunFailed : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

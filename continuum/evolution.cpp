@@ -13,7 +13,7 @@
 #include "continuum/errors.hpp"
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -272,4 +272,4 @@ void Evolution::restore(const files::CheckpointReader& in) {
     repeated_ = in.take_one<std::int64_t>("continuum/repeated_steps");
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

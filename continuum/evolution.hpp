@@ -16,7 +16,7 @@
 #include "continuum/setup.hpp"
 #include "continuum/solver.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Scratch of one thread: rows as long as a column.
 struct Workspace {
@@ -113,4 +113,4 @@ class Evolution {
     bool transverse_ = false;  // whether u_x or u_y can differ from 0
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

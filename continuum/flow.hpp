@@ -7,7 +7,7 @@
 
 #include "continuum/grid.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Flow {
     std::vector<double> density, velocity_x, velocity_y, velocity_z, temperature;  // (ny, nx, stride) each
@@ -21,4 +21,4 @@ struct Flow {
           temperature(grid.size(), 1.0) {}
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

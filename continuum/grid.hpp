@@ -7,7 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Grid {
     static constexpr std::int64_t ghosts = 3;
@@ -26,4 +26,4 @@ struct Grid {
     double centre(std::int64_t iz) const { return (static_cast<double>(iz) + 0.5) * dz; }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -11,7 +11,7 @@
 #include "continuum/kernels.hpp"
 #include "scene/errors.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -62,6 +62,9 @@ int resolve_dimension(const scene::Scene& scene) {
 }
 
 Setup make_setup(const scene::Scene& scene) {
+    if (!scene.initial.file.empty()) {
+        throw scene::SceneError({}, "initial.file: the continuum cannot start from a file yet; leave it out");
+    }
     const Grid grid = make_grid(scene);
     Setup setup(grid);
     setup.choices = scene.continuum;
@@ -99,4 +102,4 @@ Setup make_setup(const scene::Scene& scene) {
     return setup;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

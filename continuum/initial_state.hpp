@@ -5,7 +5,7 @@
 #include "continuum/setup.hpp"
 #include "scene/scene.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// 1, 2 or 3 as the scene's [continuum] dimension says. "auto": 1 if the layer starts uniform in x and y, 2 if one
 /// side of the box is shorter than two depths (no wave fits along it: the shortest are four depths long), 3 otherwise.
@@ -18,4 +18,4 @@ int resolve_dimension(const scene::Scene& scene);
 /// Throws scene::SceneError where the layer does not fit below the lid or is denser than the pair correlation packs.
 Setup make_setup(const scene::Scene& scene);
 
-}  // namespace continuum
+}  // namespace shaken::continuum

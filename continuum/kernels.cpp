@@ -6,7 +6,7 @@
 #include "continuum/reconstruct/reconstructions.hpp"
 #include "continuum/sweep.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -80,4 +80,4 @@ Kernels choose_kernels(const scene::Continuum& choices) {
     return kernels;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

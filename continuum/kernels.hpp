@@ -13,7 +13,7 @@
 #include "continuum/time_integrator.hpp"
 #include "scene/scene.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Constants of a run that the kernels need.
 struct Constants {
@@ -69,4 +69,4 @@ struct Kernels {
 /// The kernels that [continuum] names; throws scene::SceneError for a name no table has.
 Kernels choose_kernels(const scene::Continuum& choices);
 
-}  // namespace continuum
+}  // namespace shaken::continuum

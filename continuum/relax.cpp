@@ -8,7 +8,7 @@
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -180,4 +180,4 @@ void Evolution::add_heat_of_density_gradient(std::int64_t column, double dt, con
     }
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -13,7 +13,7 @@
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -246,4 +246,4 @@ void Evolution::apply_horizontal_stresses(std::int64_t column, double dt) {
     books.floor_gain += 1.5 * grid().dz * floored;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

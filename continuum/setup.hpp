@@ -10,7 +10,7 @@
 #include "scene/plate_motion.hpp"
 #include "scene/scene.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Setup {
     Grid grid;
@@ -26,4 +26,4 @@ struct Setup {
     explicit Setup(const Grid& g) : grid(g), flow(g) {}
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -11,7 +11,7 @@
 #include "continuum/initial_state.hpp"
 #include "files/errors.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Solver::Parts {
     explicit Parts(const scene::Scene& scene)
@@ -128,4 +128,4 @@ std::uint64_t Solver::state_hash() const {
     return state.hash();
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

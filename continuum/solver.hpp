@@ -11,7 +11,7 @@
 #include "files/checkpoint.hpp"
 #include "scene/scene.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// One column of cells, bottom to top; shape (cells_z,) each. Plate frame: z = 0 at the plate, so the lab velocity is
 /// velocity_z plus the plate's, the lab height z plus the plate's position. Density in particles per sigma^3.
@@ -76,4 +76,4 @@ class Solver {
     std::unique_ptr<Parts> parts_;
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

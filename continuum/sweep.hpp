@@ -9,7 +9,7 @@
 #include "continuum/flux/face_state.hpp"
 #include "continuum/kernels.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// A gas with the pressure and the sound speed that go with it.
 template <class PairCorrelation>
@@ -62,4 +62,4 @@ double wall_stress(const Stencil& stencil, const Constants& constants) {
     return stress > 0.0 ? stress : 0.0;
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

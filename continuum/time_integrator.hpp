@@ -6,7 +6,7 @@
 #include <array>
 #include <span>
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// The two weights of a stage add up to one exactly, in binary too, or mass would leak 5e-17 a step.
 /// One stage: u = start * u_n + previous * (u + dt * rhs(u, t + time * dt)).
@@ -20,4 +20,4 @@ inline constexpr std::array<Stage, 2> ssp_rk2{{{0.0, 1.0, 0.0}, {0.5, 0.5, 1.0}}
 inline constexpr std::array<Stage, 3> ssp_rk3{
     {{0.0, 1.0, 0.0}, {3.0 / 4.0, 1.0 / 4.0, 1.0}, {1.0 - 2.0 / 3.0, 2.0 / 3.0, 0.5}}};
 
-}  // namespace continuum
+}  // namespace shaken::continuum

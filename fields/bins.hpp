@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace fields {
+namespace shaken::fields {
 
 struct Bins {
     double lower = 0.0;  // lower edge of bin 0, in sigma above the plate
@@ -21,4 +21,4 @@ struct Bins {
     bool contains(std::int64_t i) const { return i >= 0 && i < count; }
 };
 
-}  // namespace fields
+}  // namespace shaken::fields

@@ -7,7 +7,7 @@
 
 #include "files/atomic_write.hpp"
 
-namespace fields {
+namespace shaken::fields {
 
 namespace {
 
@@ -71,4 +71,4 @@ void FieldFile::write_xdmf() const {
     files::write_atomically(xdmf.replace_extension(".xdmf"), text);
 }
 
-}  // namespace fields
+}  // namespace shaken::fields

@@ -13,7 +13,7 @@
 
 #include "files/hdf5.hpp"
 
-namespace fields {
+namespace shaken::fields {
 
 /// Cells of a box: counts and spacings in the order x, y, z. Field arrays are (nz, ny, nx), x fastest.
 struct Grid {
@@ -46,4 +46,4 @@ class FieldFile {
     std::vector<Frame> frames_;
 };
 
-}  // namespace fields
+}  // namespace shaken::fields

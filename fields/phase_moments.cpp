@@ -10,7 +10,7 @@
 
 #include "files/errors.hpp"
 
-namespace fields {
+namespace shaken::fields {
 
 namespace {
 
@@ -177,4 +177,4 @@ PhaseMoments PhaseMoments::read(const files::Hdf5File& file, const std::string& 
     return result;
 }
 
-}  // namespace fields
+}  // namespace shaken::fields

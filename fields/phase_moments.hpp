@@ -18,7 +18,7 @@
 #include "files/hdf5.hpp"
 #include "scene/plate_motion.hpp"
 
-namespace fields {
+namespace shaken::fields {
 
 class PhaseMoments {
   public:
@@ -74,4 +74,4 @@ class PhaseMoments {
     std::vector<double> centre_of_mass_;  // (cycles, phases)
 };
 
-}  // namespace fields
+}  // namespace shaken::fields

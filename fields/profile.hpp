@@ -7,7 +7,7 @@
 
 #include "fields/bins.hpp"
 
-namespace fields {
+namespace shaken::fields {
 
 struct Profile {
     double phase = 0.0;  // ft in [0, 1)
@@ -26,4 +26,4 @@ struct Profile {
     double height(std::int64_t i) const { return plate_height + bins.centre(i); }  // lab frame
 };
 
-}  // namespace fields
+}  // namespace shaken::fields

@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <stdexcept>
 
-namespace fields {
+namespace shaken::fields {
 
 TimeSeries::TimeSeries(std::vector<std::string> columns) : columns_(std::move(columns)) {}
 
@@ -56,4 +56,4 @@ void TimeSeries::write(files::Hdf5File& file) const {
     }
 }
 
-}  // namespace fields
+}  // namespace shaken::fields

@@ -11,7 +11,7 @@
 #include "files/checkpoint.hpp"
 #include "files/hdf5.hpp"
 
-namespace fields {
+namespace shaken::fields {
 
 class TimeSeries {
   public:
@@ -38,4 +38,4 @@ class TimeSeries {
     std::vector<double> values_;  // (rows, columns)
 };
 
-}  // namespace fields
+}  // namespace shaken::fields

@@ -11,7 +11,7 @@
 
 #include "files/errors.hpp"
 
-namespace files {
+namespace shaken::files {
 
 namespace {
 
@@ -58,4 +58,4 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
     if (directory.number >= 0) ::fsync(directory.number);
 }
 
-}  // namespace files
+}  // namespace shaken::files

@@ -5,9 +5,9 @@
 #include <filesystem>
 #include <string_view>
 
-namespace files {
+namespace shaken::files {
 
 /// Temporary file beside `path`, fsync, rename over it, fsync of the folder. Throws CannotCreate or WriteFailed.
 void write_atomically(const std::filesystem::path& path, std::string_view content);
 
-}  // namespace files
+}  // namespace shaken::files

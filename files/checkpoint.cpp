@@ -12,7 +12,7 @@
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 
-namespace files {
+namespace shaken::files {
 
 namespace {
 
@@ -153,4 +153,4 @@ void CheckpointReader::expect_length(std::string_view name, std::size_t stored, 
 
 void CheckpointReader::copy(std::span<const std::byte> from, void* to) { std::memcpy(to, from.data(), from.size()); }
 
-}  // namespace files
+}  // namespace shaken::files

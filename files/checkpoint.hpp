@@ -13,7 +13,7 @@
 #include <type_traits>
 #include <vector>
 
-namespace files {
+namespace shaken::files {
 
 /// Collects the sections of a checkpoint in memory; commit() writes them in one atomic step.
 class CheckpointWriter {
@@ -93,4 +93,4 @@ class CheckpointReader {
     std::map<std::string, Section, std::less<>> sections_;
 };
 
-}  // namespace files
+}  // namespace shaken::files

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace files {
+namespace shaken::files {
 
 struct FileError : std::runtime_error {
     using std::runtime_error::runtime_error;
@@ -22,4 +22,4 @@ struct WriteFailed : FileError {
     using FileError::FileError;
 };  // disk full, I/O error
 
-}  // namespace files
+}  // namespace shaken::files

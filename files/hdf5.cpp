@@ -8,7 +8,7 @@
 
 #include "files/errors.hpp"
 
-namespace files {
+namespace shaken::files {
 
 namespace {
 
@@ -329,4 +329,4 @@ template std::vector<std::int32_t> Hdf5File::read(const std::string&) const;
 template std::vector<std::int64_t> Hdf5File::read(const std::string&) const;
 template std::vector<std::uint64_t> Hdf5File::read(const std::string&) const;
 
-}  // namespace files
+}  // namespace shaken::files

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-namespace files {
+namespace shaken::files {
 
 using Shape = std::vector<std::uint64_t>;
 
@@ -91,4 +91,4 @@ class Hdf5File {
     Handle file_;
 };
 
-}  // namespace files
+}  // namespace shaken::files

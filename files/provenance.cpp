@@ -8,7 +8,7 @@
 
 #include "shaken_version.hpp"
 
-namespace files {
+namespace shaken::files {
 
 void write_provenance(Hdf5File& file, const Provenance& provenance) {
     file.write_text("/provenance/program", fmt::format("shaken {}", version::number));
@@ -23,4 +23,4 @@ void write_provenance(Hdf5File& file, const Provenance& provenance) {
     file.attribute("/provenance", "written_at", fmt::format("{:%Y-%m-%dT%H:%M:%SZ}", fmt::gmtime(std::time(nullptr))));
 }
 
-}  // namespace files
+}  // namespace shaken::files

@@ -7,7 +7,7 @@
 
 #include "files/hdf5.hpp"
 
-namespace files {
+namespace shaken::files {
 
 struct Provenance {
     std::string scene_text;  // the resolved scene, TOML
@@ -19,4 +19,4 @@ struct Provenance {
 /// that data compare exactly.
 void write_provenance(Hdf5File& file, const Provenance& provenance);
 
-}  // namespace files
+}  // namespace shaken::files

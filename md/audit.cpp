@@ -9,7 +9,7 @@
 
 #include "md/errors.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -78,4 +78,4 @@ Audit audit(const Snapshot& snapshot, const Box& box) {
     return result;
 }
 
-}  // namespace md
+}  // namespace shaken::md

@@ -8,7 +8,7 @@
 #include "md/snapshot.hpp"
 #include "scene/plate_motion.hpp"
 
-namespace md {
+namespace shaken::md {
 
 struct Box {
     double x = 0.0, y = 0.0, z = 0.0;
@@ -25,4 +25,4 @@ struct Audit {
 /// All pairs through cells, O(N). Throws InvariantBroken if a coordinate is not finite.
 Audit audit(const Snapshot& snapshot, const Box& box);
 
-}  // namespace md
+}  // namespace shaken::md

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -32,4 +32,4 @@ BenchmarkResult benchmark(const scene::Scene& scene, std::int64_t settle, std::i
     return timed(simulation, [&] { simulation.advance_to(settle + cycles, 0.0); });
 }
 
-}  // namespace md
+}  // namespace shaken::md

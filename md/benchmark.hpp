@@ -6,7 +6,7 @@
 
 #include "md/simulation.hpp"
 
-namespace md {
+namespace shaken::md {
 
 struct BenchmarkResult {
     std::int64_t particles = 0;
@@ -22,4 +22,4 @@ BenchmarkResult benchmark(const UniformSystem& system, std::int64_t collisions, 
 BenchmarkResult benchmark(const scene::Scene& scene, std::int64_t settle, std::int64_t cycles,
                           const Options& options = {});
 
-}  // namespace md
+}  // namespace shaken::md

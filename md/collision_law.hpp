@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace md {
+namespace shaken::md {
 
 /// What the normal velocity gains and what is lost. Speeds along the normal, positive when approaching.
 struct PairImpulse {
@@ -41,4 +41,4 @@ WallImpulse collide_wall(double velocity, double wall_velocity, double side, con
     return {after, (after - velocity) * wall_velocity, 0.5 * (relative * relative - rebound * rebound)};
 }
 
-}  // namespace md
+}  // namespace shaken::md

@@ -8,7 +8,7 @@
 #include <cmath>
 #include <limits>
 
-namespace md {
+namespace shaken::md {
 
 inline constexpr double never = std::numeric_limits<double>::infinity();
 
@@ -40,4 +40,4 @@ inline double time_to_leave(double r_dot_v, double r_squared, double v_squared, 
     return r_dot_v > 0.0 ? inside / (root + r_dot_v) : (root - r_dot_v) / v_squared;
 }
 
-}  // namespace md
+}  // namespace shaken::md

@@ -11,7 +11,7 @@
 #include "md/errors.hpp"
 #include "md/event_loop.hpp"
 
-namespace md {
+namespace shaken::md {
 
 double choose_shell(const Setup& setup) {
     const Box& box = setup.box;
@@ -39,4 +39,4 @@ std::unique_ptr<Engine> make_engine(const Setup& setup) {
         setup.restitution);
 }
 
-}  // namespace md
+}  // namespace shaken::md

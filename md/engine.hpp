@@ -11,7 +11,7 @@
 #include "md/snapshot.hpp"
 #include "scene/restitution.hpp"
 
-namespace md {
+namespace shaken::md {
 
 class Engine {
   public:
@@ -43,4 +43,4 @@ struct Setup {
 
 std::unique_ptr<Engine> make_engine(const Setup& setup);
 
-}  // namespace md
+}  // namespace shaken::md

@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-namespace md {
+namespace shaken::md {
 
 struct Error : std::runtime_error {
     using std::runtime_error::runtime_error;
@@ -19,4 +19,4 @@ struct Stalled : Error {
     using Error::Error;
 };  // inelastic collapse: time no longer advances
 
-}  // namespace md
+}  // namespace shaken::md

@@ -16,7 +16,7 @@
 #include "md/paged_vector.hpp"
 #include "md/particle.hpp"
 
-namespace md {
+namespace shaken::md {
 
 /// Law: restitution of every contact. Layered: true with gravity, plate and ceiling; false in a box periodic in z.
 template <class Law, bool Layered>
@@ -86,6 +86,6 @@ class EventLoop final : public Engine {
     double stall_mark_time_ = 0.0;
 };
 
-}  // namespace md
+}  // namespace shaken::md
 
 #include "md/event_loop_impl.hpp"

@@ -13,7 +13,7 @@
 #include "md/plate_contact_time.hpp"
 #include "md/sort_in_space.hpp"
 
-namespace md {
+namespace shaken::md {
 
 /// Relative to the plate, in sqrt(g sigma). Slower rebounds leave at this speed: a hop of 5e-9 sigma at gravity 1, and
 /// at most 5000 hops per sqrt(sigma/g) of a particle that rides on the plate.
@@ -329,6 +329,6 @@ void EventLoop<Law, Layered>::note_contact(ContactEvent::Kind kind, std::uint32_
     stall_mark_time_ = now_;
 }
 
-}  // namespace md
+}  // namespace shaken::md
 
 #include "md/event_loop_state.hpp"

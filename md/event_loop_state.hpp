@@ -6,7 +6,7 @@
 
 #include "files/errors.hpp"
 
-namespace md {
+namespace shaken::md {
 
 template <class Law, bool Layered>
 Snapshot EventLoop<Law, Layered>::snapshot() const {
@@ -101,4 +101,4 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     for (std::uint32_t i = 0; i < times.size(); ++i) queue_.schedule(i, times[i]);
 }
 
-}  // namespace md
+}  // namespace shaken::md

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <limits>
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -77,4 +77,4 @@ std::size_t EventQueue::bytes() const {
            heap_.capacity() * sizeof(QueuedEvent);
 }
 
-}  // namespace md
+}  // namespace shaken::md

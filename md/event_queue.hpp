@@ -11,7 +11,7 @@
 
 #include "md/paged_vector.hpp"
 
-namespace md {
+namespace shaken::md {
 
 struct QueuedEvent {
     double time;
@@ -89,4 +89,4 @@ class EventQueue {
     std::int64_t current_ = 0, last_ = 0;
 };
 
-}  // namespace md
+}  // namespace shaken::md

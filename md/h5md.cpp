@@ -8,7 +8,7 @@
 #include "files/errors.hpp"
 #include "shaken_version.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -79,4 +79,4 @@ H5mdFrames read_h5md(const std::filesystem::path& path) {
     return result;
 }
 
-}  // namespace md
+}  // namespace shaken::md

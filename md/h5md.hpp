@@ -12,7 +12,7 @@
 #include "md/audit.hpp"
 #include "md/snapshot.hpp"
 
-namespace md {
+namespace shaken::md {
 
 class H5mdWriter {
   public:
@@ -41,4 +41,4 @@ struct H5mdFrames {
 };
 H5mdFrames read_h5md(const std::filesystem::path& path);
 
-}  // namespace md
+}  // namespace shaken::md

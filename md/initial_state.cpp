@@ -14,7 +14,7 @@
 #include "md/neighbour_lists.hpp"
 #include "md/random_stream.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -212,4 +212,4 @@ Snapshot make_initial_state(const InitialState& state, const Box& box) {
     return start;
 }
 
-}  // namespace md
+}  // namespace shaken::md

@@ -8,7 +8,7 @@
 #include "md/audit.hpp"
 #include "md/snapshot.hpp"
 
-namespace md {
+namespace shaken::md {
 
 struct InitialState {
     std::int64_t particles = 0;
@@ -21,4 +21,4 @@ struct InitialState {
 /// volume that the volume fraction asks for). Throws CannotSetUp if the particles do not fit.
 Snapshot make_initial_state(const InitialState& state, const Box& box);
 
-}  // namespace md
+}  // namespace shaken::md

@@ -3,7 +3,7 @@
 // mean velocity of the layer, so that a layer moving as a body hardly moves and keeps its neighbours.
 #pragma once
 
-namespace md {
+namespace shaken::md {
 
 /// height_lab = z + displacement(t), velocity_lab = velocity_z + velocity(t); at `start` both heights agree.
 struct MovingFrame {
@@ -18,4 +18,4 @@ struct MovingFrame {
     double velocity(double t) const { return initial_velocity - gravity * (t - start); }
 };
 
-}  // namespace md
+}  // namespace shaken::md

@@ -16,7 +16,7 @@
 #include "md/neighbour_lists.hpp"
 #include "md/particle.hpp"
 
-namespace md {
+namespace shaken::md {
 
 struct Contact {
     double delay;  // from now; `never` if no neighbour is touched
@@ -156,4 +156,4 @@ inline Contact nearest_contact(const Particle& p, double now, std::span<const st
 #endif
 }
 
-}  // namespace md
+}  // namespace shaken::md

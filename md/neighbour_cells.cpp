@@ -13,7 +13,7 @@
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -194,4 +194,4 @@ void NeighbourCells::restore(const files::CheckpointReader& in) {
         throw files::Damaged("the checkpoint's cells are not its size");
 }
 
-}  // namespace md
+}  // namespace shaken::md

@@ -13,7 +13,7 @@
 #include "md/audit.hpp"
 #include "md/paged_vector.hpp"
 
-namespace md {
+namespace shaken::md {
 
 class NeighbourCells {
   public:
@@ -73,4 +73,4 @@ class NeighbourCells {
     std::vector<std::uint16_t> counts_;  // (cells)
 };
 
-}  // namespace md
+}  // namespace shaken::md

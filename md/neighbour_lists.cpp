@@ -7,7 +7,7 @@
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -162,4 +162,4 @@ std::size_t NeighbourLists::bytes() const {
     return centres_.capacity() * sizeof(Centre) + rows_.capacity() * sizeof(std::uint32_t) + cells_.bytes();
 }
 
-}  // namespace md
+}  // namespace shaken::md

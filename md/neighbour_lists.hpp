@@ -19,7 +19,7 @@
 #include "md/paged_vector.hpp"
 #include "md/particle.hpp"
 
-namespace md {
+namespace shaken::md {
 
 /// Along one axis: the minimum image of a difference. length 0: not periodic.
 struct Periodic {
@@ -99,4 +99,4 @@ class NeighbourLists {
     std::vector<std::uint32_t> found_;  // by the last search
 };
 
-}  // namespace md
+}  // namespace shaken::md

@@ -8,7 +8,7 @@
 #include "files/checkpoint.hpp"
 #include "md/snapshot.hpp"
 
-namespace md {
+namespace shaken::md {
 
 class Observer {
   public:
@@ -19,4 +19,4 @@ class Observer {
     virtual void restore(const files::CheckpointReader& in) = 0;
 };
 
-}  // namespace md
+}  // namespace shaken::md

@@ -12,7 +12,7 @@
 #include <sys/mman.h>
 #endif
 
-namespace md {
+namespace shaken::md {
 
 template <class T>
 struct PagedAllocator {
@@ -43,4 +43,4 @@ struct PagedAllocator {
 template <class T>
 using PagedVector = std::vector<T, PagedAllocator<T>>;
 
-}  // namespace md
+}  // namespace shaken::md

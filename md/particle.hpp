@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-namespace md {
+namespace shaken::md {
 
 /// Position and velocity at the particle's own time, in the engine's moving frame (md/moving_frame.hpp).
 struct alignas(64) Particle {
@@ -24,4 +24,4 @@ struct alignas(64) Particle {
 };
 static_assert(sizeof(Particle) == 64);
 
-}  // namespace md
+}  // namespace shaken::md

@@ -7,7 +7,7 @@
 
 #include "md/contact_time.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -103,4 +103,4 @@ double plate_contact_time(const scene::PlateMotion& plate, double height, double
     }
 }
 
-}  // namespace md
+}  // namespace shaken::md

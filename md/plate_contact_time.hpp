@@ -6,11 +6,11 @@
 
 #include "scene/plate_motion.hpp"
 
-namespace md {
+namespace shaken::md {
 
 /// First time in [now, until] at which gap <= 0 and falling, or `never`. Lab frame, times within the cycle, gravity 1.
 /// height: of the particle's lowest point at `now` (its centre less 1/2); velocity: upwards at `now`.
 /// The gap at the returned time is zero to round-off of the heights and not below -1e-14 (1 + |height|).
 double plate_contact_time(const scene::PlateMotion& plate, double height, double velocity, double now, double until);
 
-}  // namespace md
+}  // namespace shaken::md

@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace md {
+namespace shaken::md {
 
 class RandomStream {
   public:
@@ -29,4 +29,4 @@ class RandomStream {
     std::mt19937_64 engine_;
 };
 
-}  // namespace md
+}  // namespace shaken::md

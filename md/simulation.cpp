@@ -12,7 +12,7 @@
 #include "md/h5md.hpp"
 #include "md/initial_state.hpp"
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -104,4 +104,4 @@ std::uint64_t Simulation::state_hash() const {
     return state.hash();
 }
 
-}  // namespace md
+}  // namespace shaken::md

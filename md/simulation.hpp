@@ -13,7 +13,7 @@
 #include "md/uniform_system.hpp"
 #include "scene/scene.hpp"
 
-namespace md {
+namespace shaken::md {
 
 class Engine;
 
@@ -71,4 +71,4 @@ class Simulation {
     std::unique_ptr<Engine> engine_;
 };
 
-}  // namespace md
+}  // namespace shaken::md

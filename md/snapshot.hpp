@@ -6,7 +6,7 @@
 #include <cstdint>
 #include <vector>
 
-namespace md {
+namespace shaken::md {
 
 /// Positions and velocities at one instant, lab frame; the order is the particle's number, the same for a whole run.
 struct Snapshot {
@@ -43,4 +43,4 @@ struct ContactEvent {
     double time_in_cycle = 0.0;
 };
 
-}  // namespace md
+}  // namespace shaken::md

@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-namespace md {
+namespace shaken::md {
 
 namespace {
 
@@ -42,4 +42,4 @@ void sort_in_space(std::span<Particle> particles) {
     for (std::size_t k = 0; k < order.size(); ++k) particles[k] = before[order[k].second];
 }
 
-}  // namespace md
+}  // namespace shaken::md

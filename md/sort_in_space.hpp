@@ -6,9 +6,9 @@
 
 #include "md/particle.hpp"
 
-namespace md {
+namespace shaken::md {
 
 /// Orders along a Morton curve over cells of one diameter; ties by the particle's number. All at one time.
 void sort_in_space(std::span<Particle> particles);
 
-}  // namespace md
+}  // namespace shaken::md

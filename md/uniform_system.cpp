@@ -4,10 +4,10 @@
 #include <cmath>
 #include <numbers>
 
-namespace md {
+namespace shaken::md {
 
 double UniformSystem::box_length() const {
     return std::cbrt(static_cast<double>(particles) * std::numbers::pi / (6.0 * volume_fraction));
 }
 
-}  // namespace md
+}  // namespace shaken::md

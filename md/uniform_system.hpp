@@ -6,7 +6,7 @@
 
 #include "scene/restitution.hpp"
 
-namespace md {
+namespace shaken::md {
 
 struct UniformSystem {
     std::int64_t particles = 4000;
@@ -19,4 +19,4 @@ struct UniformSystem {
     double box_length() const;
 };
 
-}  // namespace md
+}  // namespace shaken::md

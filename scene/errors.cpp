@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <numeric>
 
-namespace scene {
+namespace shaken::scene {
 
 namespace {
 
@@ -66,4 +66,4 @@ SceneError unknown_choice(const std::string& parameter, const Choice& choice, co
     return SceneError(choice.place, message);
 }
 
-}  // namespace scene
+}  // namespace shaken::scene

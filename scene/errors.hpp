@@ -8,7 +8,7 @@
 
 #include "scene/scene.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 /// A value that cannot be accepted. The message points at the place as a compiler does:
 ///   ch4_shock.toml:14:15: particles.restitution = 1.3 is outside [0, 1]
@@ -30,4 +30,4 @@ std::string nearest_word(const std::string& written, const std::vector<std::stri
 /// "name 'hlc' is unknown; known: hll, hllc; did you mean hllc?" at the choice's place: for the owners of tables.
 SceneError unknown_choice(const std::string& parameter, const Choice& choice, const std::vector<std::string>& known);
 
-}  // namespace scene
+}  // namespace shaken::scene

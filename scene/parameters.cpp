@@ -3,7 +3,7 @@
 
 #include <fmt/format.h>
 
-namespace scene {
+namespace shaken::scene {
 
 std::string Range::text() const {
     const bool below = lower > -unbounded, above = upper < unbounded;
@@ -101,4 +101,4 @@ void describe(Scene& s, ParameterVisitor& v) {
     }
 }
 
-}  // namespace scene
+}  // namespace shaken::scene

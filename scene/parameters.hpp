@@ -12,7 +12,7 @@
 
 #include "scene/scene.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 /// An interval of numbers; `open_lower` excludes the lower end. The upper end is included unless infinite.
 struct Range {
@@ -61,4 +61,4 @@ const std::vector<std::string>& kind_names();
 /// Names of the restitution laws that a table { law = ... } may ask for.
 const std::vector<std::string>& restitution_law_names();
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <numbers>
 
-namespace scene {
+namespace shaken::scene {
 
 struct PlateMotion {
     double amplitude = 0.0;  // A, in sigma
@@ -27,4 +27,4 @@ struct PlateMotion {
     double acceleration(double t) const { return peak_acceleration() * std::cos(angular_frequency() * t); }
 };
 
-}  // namespace scene
+}  // namespace shaken::scene

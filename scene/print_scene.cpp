@@ -4,7 +4,7 @@
 #include "scene/parameters.hpp"
 #include "scene/read_scene.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 std::string written_number(double value) {
     const std::string digits = fmt::format("{}", value);
@@ -97,4 +97,4 @@ std::string list_parameters() {
     return printer.result;
 }
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -16,7 +16,7 @@
 #include "scene/parameters.hpp"
 #include "scene/resolve.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 namespace {
 
@@ -303,4 +303,4 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
     return parse_scene(text.str(), path.string(), overrides);
 }
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -8,7 +8,7 @@
 
 #include "scene/scene.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 /// Reads, overrides, checks and resolves. Each override is "section.key=value"; it wins over the file, and replaces
 /// the file's other member of an exclusive pair (number and depth, frequency and frequency_star).
@@ -27,4 +27,4 @@ std::string written_number(double value);
 /// Every key with unit, range, default and words, as a commented TOML file.
 std::string list_parameters();
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -8,7 +8,7 @@
 
 #include "scene/errors.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 namespace {
 
@@ -24,9 +24,6 @@ class Resolver {
         particles();
         motion();
         heights();
-        if (!s_.initial.file.empty()) {
-            fail("initial.file", "initial.file: no engine can start from a file yet; leave it out");
-        }
         if (s_.sample.phases % 20 != 0) {
             fail("sample.phases", fmt::format("sample.phases = {} is not a multiple of 20", s_.sample.phases));
         }
@@ -115,4 +112,4 @@ void resolve(Scene& scene, const std::map<std::string, Place>& places, const Pla
     }
 }
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -6,7 +6,7 @@
 #include <cmath>
 #include <variant>
 
-namespace scene {
+namespace shaken::scene {
 
 /// e independent of the approach speed.
 struct RestitutionConstant {
@@ -34,4 +34,4 @@ inline double fast_restitution(const Restitution& law) {
     return std::visit([](const auto& l) { return l.e0; }, law);
 }
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -10,7 +10,7 @@
 #include "scene/plate_motion.hpp"
 #include "scene/restitution.hpp"
 
-namespace scene {
+namespace shaken::scene {
 
 /// Where a value was written, so that whoever refuses it can point at it.
 struct Place {
@@ -101,4 +101,4 @@ struct Scene {
     double number_per_area() const { return static_cast<double>(number_of_particles) / (box.x * box.y); }
 };
 
-}  // namespace scene
+}  // namespace shaken::scene

@@ -6,7 +6,7 @@
 
 #include <optional>
 
-namespace continuum {
+namespace shaken::continuum {
 
 enum class End {
     wall,      // u_z = 0, no shear stress, no heat unless a temperature is given
@@ -23,4 +23,4 @@ struct Boundaries {
     Boundary lower, upper;
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

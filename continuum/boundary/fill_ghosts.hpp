@@ -6,7 +6,7 @@
 #include "continuum/boundary/wall.hpp"
 #include "continuum/flow.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Periodic ends: the three cells beyond one end are the last three before the other.
 inline void fill_periodic(double* first, std::int64_t cells) {
@@ -36,4 +36,4 @@ inline void fill_ghosts(Flow& flow, std::int64_t first, std::int64_t cells, cons
     fill(boundaries.upper.end, cells - 1, -1);
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -11,7 +11,7 @@
 
 #include "continuum/reconstruct/limiters.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// `inside` points to the cell at the wall, `inward` is +1 at the lower end of a column and -1 at the upper.
 inline void fill_even(double* inside, std::int64_t inward) {
@@ -33,4 +33,4 @@ inline void fill_density_at_wall(double* inside, std::int64_t inward, double pac
     }
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -8,7 +8,7 @@
 
 #include "continuum/closures/pair_correlation.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct CarnahanStarling {
     static constexpr std::string_view name = "carnahan_starling";
@@ -31,4 +31,4 @@ struct CarnahanStarling {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

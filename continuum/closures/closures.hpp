@@ -8,9 +8,9 @@
 #include "continuum/closures/goldshtein.hpp"
 #include "continuum/closures/jenkins_richman.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 using PairCorrelations = Choices<Goldshtein, CarnahanStarling>;
 using Closures = Choices<JenkinsRichman, GarzoDufty>;
 
-}  // namespace continuum
+}  // namespace shaken::continuum

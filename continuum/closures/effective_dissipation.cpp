@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-namespace continuum {
+namespace shaken::continuum {
 
 namespace {
 
@@ -66,4 +66,4 @@ scene::Restitution sink_restitution(const scene::Scene& scene) {
 
 double pressure_restitution(const scene::Scene& scene) { return scene::fast_restitution(sink_restitution(scene)); }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

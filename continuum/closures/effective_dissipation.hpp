@@ -12,7 +12,7 @@
 #include "scene/restitution.hpp"
 #include "scene/scene.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// D at one temperature by quadrature, relative error below 1e-10. temperature > 0.
 double effective_dissipation(const scene::Restitution& law, double temperature);
@@ -60,4 +60,4 @@ scene::Restitution sink_restitution(const scene::Scene& scene);
 /// The e of pressure and transport: e0 of that law.
 double pressure_restitution(const scene::Scene& scene);
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -7,7 +7,7 @@
 #include "continuum/closures/closures.hpp"
 #include "continuum/closures/effective_dissipation.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 double EquationOfState::pressure(double volume_fraction, double temperature) const {
     return volume_fraction / sphere_volume * temperature * law_(volume_fraction, restitution_).chi;
@@ -44,4 +44,4 @@ EquationOfState make_equation_of_state(const scene::Scene& scene) {
 
 double mean_free_path(double density) { return std::sqrt(std::numbers::pi / 8.0) / (density * std::numbers::pi); }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -6,7 +6,7 @@
 
 #include "scene/scene.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 class EquationOfState {
   public:
@@ -46,4 +46,4 @@ EquationOfState make_equation_of_state(const scene::Choice& pair_correlation, do
 /// lambda = sqrt(pi/8) / (n pi sigma^2), in sigma; density n in particles per sigma^3.
 double mean_free_path(double density);
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -7,7 +7,7 @@
 #include <bit>
 #include <cstdint>
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Base-2 logarithm of a positive normal number; a large negative number for 0.
 [[gnu::always_inline]] inline double fast_log2(double x) {
@@ -57,4 +57,4 @@ namespace continuum {
 /// x^a for x >= 0 and moderate a; power(0, a) is about 1e-308^a, not 0.
 [[gnu::always_inline]] inline double fast_power(double x, double a) { return fast_exp2(a * fast_log2(x)); }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -13,7 +13,7 @@
 
 #include "continuum/closures/jenkins_richman.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct GarzoDufty {
     static constexpr std::string_view name = "garzo_dufty";
@@ -72,4 +72,4 @@ struct GarzoDufty {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

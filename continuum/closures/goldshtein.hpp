@@ -8,7 +8,7 @@
 #include "continuum/closures/fast_power.hpp"
 #include "continuum/closures/pair_correlation.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Goldshtein {
     static constexpr std::string_view name = "goldshtein";
@@ -22,4 +22,4 @@ struct Goldshtein {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -13,7 +13,7 @@
 
 #include "continuum/closures/pressure.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Transport {
     double bulk_viscosity = 0.0;        // lambda
@@ -51,4 +51,4 @@ struct JenkinsRichman {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -7,7 +7,7 @@
 
 #include "continuum/closures/pair_correlation.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Volume fraction of unit spheres at number density 1.
 inline constexpr double sphere_volume = std::numbers::pi / 6.0;
@@ -34,4 +34,4 @@ template <class PairCorrelation>
     return {density * temperature * chi, temperature * (chi * (1.0 + (2.0 / 3.0) * chi) + slope)};
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

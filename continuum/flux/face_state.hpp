@@ -2,7 +2,7 @@
 // What meets at a face, and what passes through it. "Normal" is along the sweep, 1 and 2 are the other two directions.
 #pragma once
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// What a reconstruction gives at one side of a face.
 struct FaceValues {
@@ -21,4 +21,4 @@ struct FaceFlux {
     double signal;    // fastest wave, for the step
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

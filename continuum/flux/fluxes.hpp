@@ -6,8 +6,8 @@
 #include "continuum/flux/hll.hpp"
 #include "continuum/flux/hllc.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 using Fluxes = Choices<FluxHllc, FluxHll>;
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -7,7 +7,7 @@
 
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct FluxHll {
     using InSlowFlow = FluxHll;
@@ -48,4 +48,4 @@ struct FluxHll {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

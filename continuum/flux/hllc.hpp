@@ -11,7 +11,7 @@
 
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct FluxHllcSlow;
 
@@ -76,4 +76,4 @@ struct FluxHllcSlow {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -10,7 +10,7 @@
 
 #include "continuum/flux/face_state.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct WaveSpeeds {
     double slowest, fastest;
@@ -37,4 +37,4 @@ struct WaveSpeeds {
             larger(std::abs(left.normal), std::abs(right.normal)) + a};
 }
 
-}  // namespace continuum
+}  // namespace shaken::continuum

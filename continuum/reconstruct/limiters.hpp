@@ -9,7 +9,7 @@
 #include "continuum/choice.hpp"
 #include "continuum/flux/wave_speeds.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// +1 or -1 where both have that sign, 0 where they differ.
 [[gnu::always_inline]] inline double common_sign(double a, double b) {
@@ -53,4 +53,4 @@ struct LimiterFirstOrder {
 
 using Limiters = Choices<LimiterVanLeer, LimiterMinmod, LimiterMonotonizedCentral, LimiterFirstOrder>;
 
-}  // namespace continuum
+}  // namespace shaken::continuum

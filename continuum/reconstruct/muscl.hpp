@@ -10,7 +10,7 @@
 #include "continuum/flux/face_state.hpp"
 #include "continuum/reconstruct/stencil.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 template <class Limiter>
 struct Muscl {
@@ -34,4 +34,4 @@ struct Muscl {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

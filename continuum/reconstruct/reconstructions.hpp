@@ -9,7 +9,7 @@
 #include "continuum/reconstruct/weno5.hpp"
 #include "continuum/time_integrator.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Second order in space and time.
 struct SchemeMuscl {
@@ -36,4 +36,4 @@ struct SchemeWeno5 {
 
 using Schemes = Choices<SchemeMuscl, SchemeWeno5>;
 
-}  // namespace continuum
+}  // namespace shaken::continuum

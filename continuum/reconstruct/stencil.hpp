@@ -6,7 +6,7 @@
 #include <cstddef>
 #include <cstdint>
 
-namespace continuum {
+namespace shaken::continuum {
 
 /// Pointers to one value each of the six cells around face 0 of a sweep, cells 2 and 3 touching it; face f uses the
 /// elements [f]. Along z the six pointers are one column shifted; along x and y they are six columns.
@@ -22,4 +22,4 @@ struct CellsAround {
     [[gnu::always_inline]] double operator[](std::size_t k) const { return row[k][face]; }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

@@ -14,7 +14,7 @@
 #include "continuum/reconstruct/limiters.hpp"
 #include "continuum/reconstruct/muscl.hpp"
 
-namespace continuum {
+namespace shaken::continuum {
 
 struct Weno5 {
     /// Value at the edge between c and d of a profile with cell averages a to e.
@@ -78,4 +78,4 @@ struct Weno5 {
     }
 };
 
-}  // namespace continuum
+}  // namespace shaken::continuum

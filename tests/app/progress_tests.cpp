@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <cmath>
 
+using namespace shaken;
+
 using app::Status;
 
 TEST_CASE("a status goes through its file unchanged") {

@@ -7,6 +7,8 @@
 #include "files/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using namespace app;
 
 TEST_CASE("a folder that holds anything is refused, and --overwrite removes only what a run left") {

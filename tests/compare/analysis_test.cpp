@@ -8,6 +8,8 @@
 #include "compare/summary.hpp"
 #include "synthetic.hpp"
 
+using namespace shaken;
+
 namespace {
 
 const scene::PlateMotion motion{5.0, 0.1};

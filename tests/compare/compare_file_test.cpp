@@ -7,6 +7,8 @@
 
 #include "synthetic.hpp"
 
+using namespace shaken;
+
 namespace {
 
 const scene::PlateMotion motion{5.0, 0.1};

@@ -4,6 +4,8 @@
 #include <catch2/catch.hpp>
 #include <numbers>
 
+using namespace shaken;
+
 namespace {
 
 fields::Profile profile_of(const std::vector<double>& volume_fraction, double bin_width = 1.0) {

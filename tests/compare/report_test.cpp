@@ -9,6 +9,8 @@
 #include "compare/summary.hpp"
 #include "synthetic.hpp"
 
+using namespace shaken;
+
 namespace {
 
 // Debian's, which has h5py and matplotlib: another one first on the PATH may lack them.

@@ -8,6 +8,8 @@
 #include "scene/read_scene.hpp"
 #include "synthetic.hpp"
 
+using namespace shaken;
+
 namespace {
 
 scene::Scene small_scene() {

@@ -6,6 +6,8 @@
 
 #include "synthetic.hpp"
 
+using namespace shaken;
+
 namespace {
 
 constexpr double frequency = 0.1;

@@ -6,6 +6,8 @@
 
 #include "synthetic.hpp"
 
+using namespace shaken;
+
 namespace {
 
 std::optional<compare::Shock> find(const fields::Profile& profile, const compare::ShockCriteria& criteria = {}) {

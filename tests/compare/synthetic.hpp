@@ -14,6 +14,8 @@
 #include "fields/profile.hpp"
 #include "scene/plate_motion.hpp"
 
+using namespace shaken;
+
 namespace synthetic {
 
 /// An ideal gas, chi = 1: c^2 = 5 T / 3.

@@ -11,6 +11,8 @@
 #include "continuum/closures/pressure.hpp"
 #include "continuum/evolution.hpp"
 
+using namespace shaken;
+
 namespace cases {
 
 struct Point {

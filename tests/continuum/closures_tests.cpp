@@ -10,6 +10,8 @@
 #include "continuum/closures/equation_of_state.hpp"
 #include "continuum/kernels.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 
 TEST_CASE("the vectorisable power equals the library's to round-off") {

@@ -6,6 +6,8 @@
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 using cases::Point;
 

@@ -11,6 +11,8 @@
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 
 namespace {

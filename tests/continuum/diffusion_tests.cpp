@@ -10,6 +10,8 @@
 #include "continuum/closures/closures.hpp"
 #include "continuum/diffusion_solve.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 
 namespace {

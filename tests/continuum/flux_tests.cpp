@@ -11,6 +11,8 @@
 #include "continuum/reconstruct/weno5.hpp"
 #include "continuum/sweep.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 
 namespace {

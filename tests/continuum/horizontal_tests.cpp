@@ -10,6 +10,8 @@
 #include "continuum/initial_state.hpp"
 #include "continuum/solver.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 
 namespace {

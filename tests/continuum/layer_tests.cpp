@@ -12,6 +12,8 @@
 #include "scene/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using namespace continuum;
 
 namespace {

@@ -7,6 +7,8 @@
 
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using namespace fields;
 
 TEST_CASE("frames and the XDMF text name the same datasets") {

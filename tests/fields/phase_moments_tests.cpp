@@ -6,6 +6,8 @@
 
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using namespace fields;
 
 namespace {

@@ -6,6 +6,8 @@
 
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using fields::TimeSeries;
 
 TEST_CASE("a time series goes through checkpoint and file unchanged") {

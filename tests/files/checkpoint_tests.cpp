@@ -8,6 +8,8 @@
 #include "files/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using namespace files;
 using Catch::Contains;
 

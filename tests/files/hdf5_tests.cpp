@@ -9,6 +9,8 @@
 #include "files/provenance.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 using namespace files;
 
 TEST_CASE("arrays, texts, numbers and attributes survive a round trip") {

@@ -8,6 +8,8 @@
 #include "md/plate_contact_time.hpp"
 #include "small_systems.hpp"
 
+using namespace shaken;
+
 namespace {
 
 using Kind = md::ContactEvent::Kind;

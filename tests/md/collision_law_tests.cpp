@@ -7,6 +7,8 @@
 #include "md/random_stream.hpp"
 #include "scene/restitution.hpp"
 
+using namespace shaken;
+
 namespace {
 
 using Vector = std::array<double, 3>;

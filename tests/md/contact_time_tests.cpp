@@ -5,6 +5,8 @@
 #include "md/contact_time.hpp"
 #include "md/random_stream.hpp"
 
+using namespace shaken;
+
 namespace {
 
 /// For relative position (x, y, 0) and relative velocity (u, w, 0).

@@ -8,6 +8,8 @@
 #include "md/event_queue.hpp"
 #include "md/random_stream.hpp"
 
+using namespace shaken;
+
 namespace {
 
 /// Runs the queue beside a std::multiset through random pops and replacements; expected sets the bucket width.

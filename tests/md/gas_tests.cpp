@@ -7,6 +7,8 @@
 #include "md/errors.hpp"
 #include "small_systems.hpp"
 
+using namespace shaken;
+
 TEST_CASE("an elastic gas keeps its energy and its momentum") {
     const double fraction = GENERATE(0.05, 0.3, 0.5);
     md::Simulation simulation(small::gas(256, fraction));

@@ -7,6 +7,8 @@
 #include "small_systems.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 TEST_CASE("what is written as H5MD is read back, frame by frame") {
     const auto scene = small::layer();
     const md::Box box{scene.box.x, scene.box.y, scene.box.ceiling, false, scene.motion};

@@ -6,6 +6,8 @@
 #include "md/errors.hpp"
 #include "md/initial_state.hpp"
 
+using namespace shaken;
+
 namespace {
 
 md::Box slab() { return {10.0, 10.0, 200.0, false, scene::PlateMotion::from_acceleration(3.0, 0.1)}; }

@@ -9,6 +9,8 @@
 #include "small_systems.hpp"
 #include "tests/support/temporary_folder.hpp"
 
+using namespace shaken;
+
 namespace {
 
 double balance(const md::Ledger& ledger) {

@@ -8,6 +8,8 @@
 #include "md/neighbour_lists.hpp"
 #include "md/random_stream.hpp"
 
+using namespace shaken;
+
 namespace {
 
 std::vector<md::Particle> scattered(std::size_t count, const md::Box& box, md::RandomStream& random) {

@@ -9,6 +9,8 @@
 #include "md/plate_contact_time.hpp"
 #include "md/random_stream.hpp"
 
+using namespace shaken;
+
 namespace {
 
 struct Flight {

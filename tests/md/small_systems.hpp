@@ -8,6 +8,8 @@
 #include "md/uniform_system.hpp"
 #include "scene/scene.hpp"
 
+using namespace shaken;
+
 namespace small {
 
 /// A shallow layer on a 6 x 7 plate, shaken hard enough to be a fluid.

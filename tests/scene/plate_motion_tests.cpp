@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+using namespace shaken;
+
 using scene::PlateMotion;
 
 TEST_CASE("the plate is lowest at ft = 0, highest at 0.5 and rises through A at 0.25") {

@@ -3,6 +3,8 @@
 
 #include <catch2/catch.hpp>
 
+using namespace shaken;
+
 using namespace scene;
 
 TEST_CASE("slow contacts are elastic and fast ones have e0") {
