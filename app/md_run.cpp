@@ -21,9 +21,14 @@ const std::vector<std::string> columns{"centre_of_mass",  "kinetic_energy",   "p
                                        "momentum_x",      "momentum_y",       "momentum_z",        "plate_impulse",
                                        "pair_collisions", "plate_collisions", "ceiling_collisions"};
 
+md::Options options_of(const scene::Scene& scene) {
+    return {scene.md.shell, static_cast<int>(scene.md.frames_per_cycle), scene.md.contacts_between_sorts};
+}
+
 }  // namespace
 
-MdRun::MdRun(const scene::Scene& scene) : scene_(scene), simulation_(scene), sampler_(scene), series_(columns) {}
+MdRun::MdRun(const scene::Scene& scene)
+    : scene_(scene), simulation_(scene, options_of(scene)), sampler_(scene), series_(columns) {}
 
 void MdRun::advance_and_sample() {
     const Instant now = instant_of(next_, scene_);

@@ -68,6 +68,12 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
 
     v.section("md", "event-driven molecular dynamics");
     v.seed({"seed", "", "of positions and velocities at the start"}, s.md.seed);
+    v.number({"shell", "sigma", "reach of a neighbour list beyond contact; 0: chosen from the density"}, s.md.shell,
+             {0.0, 10.0});
+    v.whole({"frames_per_cycle", "", "how often the moving frame follows the layer; 0: the default"},
+            s.md.frames_per_cycle, {0.0, 10000.0});
+    v.number({"contacts_between_sorts", "", "of each particle, before they are reordered in space; 0: the default"},
+             s.md.contacts_between_sorts, {0.0, 1e9});
 
     v.section("continuum", "granular hydrodynamics");
     v.choice({"dimension", "", "\"auto\", 1, 2 or 3"}, s.continuum.dimension);

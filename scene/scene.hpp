@@ -63,6 +63,10 @@ struct Sample {
 
 struct Md {
     std::uint64_t seed = 1;
+    // Knobs of the method, which change speed and round-off and never the statistics; 0: chosen by the engine.
+    double shell = 0.0;                   // reach of a neighbour list beyond contact, in sigma
+    std::int64_t frames_per_cycle = 0;    // how often the moving frame is made to follow the layer
+    double contacts_between_sorts = 0.0;  // of each particle, before they are reordered in space
 };
 
 struct Continuum {
