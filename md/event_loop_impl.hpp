@@ -178,7 +178,8 @@ void EventLoop<Law, Layered>::predict(std::uint32_t i) {
     double delay = contact.delay;
     std::uint32_t partner = contact.partner;
 
-    const double dx = p.x - centre.x, dy = p.y - centre.y, dz = p.z - neighbours_.shift() - centre.z;
+    const double dx = p.x - static_cast<double>(centre.x), dy = p.y - static_cast<double>(centre.y);
+    const double dz = p.z - neighbours_.shift() - static_cast<double>(centre.z);
     const double r_dot_v = dx * p.velocity_x + dy * p.velocity_y + dz * p.velocity_z;
     const double r_squared = dx * dx + dy * dy + dz * dz;
     const double v_squared = p.velocity_x * p.velocity_x + p.velocity_y * p.velocity_y + p.velocity_z * p.velocity_z;

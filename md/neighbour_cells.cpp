@@ -5,6 +5,7 @@
 #include <bit>
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 #if defined(__AVX2__)
 #include <immintrin.h>
@@ -49,84 +50,111 @@ NeighbourCells::NeighbourCells(const Box& box, double longest_reach, std::size_t
         const double height = std::min(box.z, 6.0 + 2.0 * static_cast<double>(particles) / (box.x * box.y));
         z_ = {0.0f, 1.0 / width, static_cast<std::int32_t>(std::bit_ceil(static_cast<unsigned>(height / width) + 3))};
     }
-    // A layer's cells may be close packed (1.41 per sigma^3); a uniform system's hold the mean and what it fluctuates.
-    const double volume = 1.0 / (x_.per_width * y_.per_width * z_.per_width);
-    const double mean = static_cast<double>(particles) / (x_.count * y_.count * z_.count);
-    const double most = box.periodic_z ? mean + 2.0 * std::sqrt(mean) + 2.0 : 1.4 * volume + 2.0;
-    blocks_per_cell_ = static_cast<std::size_t>(most) / lanes + 1;
-    const std::size_t cells = static_cast<std::size_t>(x_.count) * y_.count * z_.count;
-    blocks_.resize(cells * blocks_per_cell_);
-    counts_.resize(cells);
+    cells_.resize(static_cast<std::size_t>(x_.count) * y_.count * z_.count);
     clear();
 }
 
 void NeighbourCells::clear() {
-    Block empty;
-    empty.x.fill(nowhere);
-    empty.y.fill(0.0f);
-    empty.z.fill(0.0f);
-    empty.half_shell.fill(0.0f);
-    empty.particle.fill(0);
-    std::fill(blocks_.begin(), blocks_.end(), empty);
-    std::fill(counts_.begin(), counts_.end(), std::uint16_t{0});
+    blocks_.clear();
+    next_.clear();
+    spare_ = none;
+    std::fill(cells_.begin(), cells_.end(), Cell{none, 0});
 }
 
 std::uint32_t NeighbourCells::cell_of(double x, double y, double z) const {
     return static_cast<std::uint32_t>((z_.index(z) * y_.count + y_.index(y)) * x_.count + x_.index(x));
 }
 
-void NeighbourCells::set(std::size_t cell, std::size_t place, const Entry& entry) {
-    Block& block = blocks_of(cell)[place / lanes];
-    const std::size_t lane = place % lanes;
-    block.x[lane] = entry.x;
-    block.y[lane] = entry.y;
-    block.z[lane] = entry.z;
-    block.half_shell[lane] = entry.half_shell;
-    block.particle[lane] = entry.particle;
+void NeighbourCells::set(Place place, const Entry& entry) {
+    Block& block = blocks_[place.block];
+    block.x[place.lane] = entry.x;
+    block.y[place.lane] = entry.y;
+    block.z[place.lane] = entry.z;
+    block.half_shell[place.lane] = entry.half_shell;
+    block.particle[place.lane] = entry.particle;
 }
 
-std::size_t NeighbourCells::place_of(std::uint32_t cell, std::uint32_t particle) const {
-    const Block* const blocks = blocks_of(cell);
-    for (std::size_t place = 0; place < counts_[cell]; ++place)
-        if (blocks[place / lanes].particle[place % lanes] == particle) return place;
+NeighbourCells::Entry NeighbourCells::get(Place place) const {
+    const Block& block = blocks_[place.block];
+    return {block.x[place.lane], block.y[place.lane], block.z[place.lane], block.half_shell[place.lane],
+            block.particle[place.lane]};
+}
+
+NeighbourCells::Place NeighbourCells::place_of(std::uint32_t cell, std::uint32_t particle) const {
+    std::size_t left = cells_[cell].count;
+    for (std::uint32_t block = cells_[cell].first; left > 0; block = next_[block]) {
+        const std::size_t held = std::min(left, lanes);
+        for (std::size_t lane = 0; lane < held; ++lane)
+            if (blocks_[block].particle[lane] == particle) return {block, lane};
+        left -= held;
+    }
     throw InvariantBroken("md: a particle is missing from its cell");
 }
 
+/// The block of the chain that holds this place; `none` if the chain ends before.
+std::uint32_t NeighbourCells::block_of(const Cell& cell, std::size_t place) const {
+    std::uint32_t block = cell.first;
+    for (std::size_t passed = lanes; passed <= place && block != none; passed += lanes) block = next_[block];
+    return block;
+}
+
+std::uint32_t NeighbourCells::take_block() {
+    std::uint32_t taken = spare_;
+    if (taken == none) {
+        taken = static_cast<std::uint32_t>(blocks_.size());
+        if (blocks_.size() == blocks_.capacity()) {  // an eighth more, not twice as much
+            blocks_.reserve(blocks_.size() + blocks_.size() / 8 + 16);
+            next_.reserve(blocks_.capacity());
+        }
+        blocks_.emplace_back();
+        next_.push_back(none);
+    } else {
+        spare_ = next_[taken];
+    }
+    Block& block = blocks_[taken];
+    block.x.fill(nowhere);
+    block.y.fill(0.0f);
+    block.z.fill(0.0f);
+    block.half_shell.fill(0.0f);
+    block.particle.fill(0);
+    next_[taken] = none;
+    return taken;
+}
+
 void NeighbourCells::enter(std::uint32_t cell, const Entry& entry) {
-    if (counts_[cell] == blocks_per_cell_ * lanes) make_room();
-    set(cell, counts_[cell]++, entry);
+    const std::size_t place = cells_[cell].count;
+    if (place % lanes == 0) {
+        const std::uint32_t taken = take_block();
+        if (place == 0)
+            cells_[cell].first = taken;
+        else
+            next_[block_of(cells_[cell], place - 1)] = taken;
+    }
+    set({block_of(cells_[cell], place), place % lanes}, entry);
+    ++cells_[cell].count;
+    fullest_ = std::max(fullest_, place + 1);
 }
 
 void NeighbourCells::leave(std::uint32_t cell, std::uint32_t particle) {
-    const std::size_t place = place_of(cell, particle);
-    const std::size_t last = --counts_[cell];
-    const Block& block = blocks_of(cell)[last / lanes];
-    const std::size_t lane = last % lanes;
-    set(cell, place, {block.x[lane], block.y[lane], block.z[lane], block.half_shell[lane], block.particle[lane]});
-    set(cell, last, {nowhere, 0.0f, 0.0f, 0.0f, 0});
+    const Place place = place_of(cell, particle);
+    const std::size_t last = --cells_[cell].count;
+    const Place end{block_of(cells_[cell], last), last % lanes};
+    set(place, get(end));
+    set(end, {nowhere, 0.0f, 0.0f, 0.0f, 0});
+    if (end.lane != 0) return;
+    next_[end.block] = spare_;
+    spare_ = end.block;
+    if (last == 0) cells_[cell].first = none;
 }
 
-void NeighbourCells::replace(std::uint32_t cell, const Entry& entry) {
-    set(cell, place_of(cell, entry.particle), entry);
-}
-
-void NeighbourCells::make_room() {
-    const PagedVector<Block> before = blocks_;
-    const std::vector<std::uint16_t> counts = counts_;
-    const std::size_t per_cell = blocks_per_cell_++;
-    blocks_.resize(counts.size() * blocks_per_cell_);
-    clear();
-    for (std::size_t cell = 0; cell < counts.size(); ++cell)
-        std::copy_n(before.data() + cell * per_cell, per_cell, blocks_of(cell));
-    counts_ = counts;
-}
+void NeighbourCells::replace(std::uint32_t cell, const Entry& entry) { set(place_of(cell, entry.particle), entry); }
 
 std::size_t NeighbourCells::within_reach(std::uint32_t cell, const Entry& centre,
                                          std::vector<std::uint32_t>& found) const {
     const auto at = static_cast<std::int32_t>(cell);
     const std::int32_t ix = at % x_.count, iy = at / x_.count % y_.count, iz = at / (x_.count * y_.count);
     const float contact = 1.0f + margin_;  // added last, so that both of a pair compute the same sum
-    found.resize(27 * blocks_per_cell_ * lanes);
+    found.resize(27 * (fullest_ + lanes));
     std::uint32_t* out = found.data();
 #if defined(__AVX2__)
     const __m256 cx = _mm256_set1_ps(centre.x), cy = _mm256_set1_ps(centre.y), cz = _mm256_set1_ps(centre.z);
@@ -147,8 +175,10 @@ std::size_t NeighbourCells::within_reach(std::uint32_t cell, const Entry& centre
             const std::int32_t row = (z_.step(iz, dz) * y_.count + y_.step(iy, dy)) * x_.count;
             for (std::int32_t dx = x_.first_offset(); dx <= x_.last_offset(); ++dx) {
                 const auto other = static_cast<std::size_t>(row + x_.step(ix, dx));
-                const Block* block = blocks_of(other);
-                for (std::size_t before = 0; before < counts_[other]; before += lanes, ++block) {
+                std::size_t before = 0;
+                for (std::uint32_t at_block = cells_[other].first; before < cells_[other].count;
+                     before += lanes, at_block = next_[at_block]) {
+                    const Block* const block = &blocks_[at_block];
 #if defined(__AVX2__)
                     const __m256 rx = image(_mm256_sub_ps(_mm256_load_ps(block->x.data()), cx), x_.length);
                     const __m256 ry = image(_mm256_sub_ps(_mm256_load_ps(block->y.data()), cy), y_.length);
@@ -180,18 +210,30 @@ std::size_t NeighbourCells::within_reach(std::uint32_t cell, const Entry& centre
 }
 
 void NeighbourCells::save(files::CheckpointWriter& out) const {
-    out.put("md.cells.blocks_per_cell", static_cast<std::uint64_t>(blocks_per_cell_));
-    out.put("md.cells.counts", counts_);
-    out.put("md.cells.blocks", std::span<const Block>(blocks_));
+    std::vector<std::uint32_t> counts;
+    std::vector<Entry> entries;
+    for (const Cell& cell : cells_) {
+        counts.push_back(cell.count);
+        std::uint32_t block = cell.first;
+        for (std::size_t place = 0; place < cell.count; ++place) {
+            entries.push_back(get({block, place % lanes}));
+            if (place % lanes == lanes - 1) block = next_[block];
+        }
+    }
+    out.put("md.cells.counts", counts);
+    out.put("md.cells.entries", entries);
 }
 
 void NeighbourCells::restore(const files::CheckpointReader& in) {
-    blocks_per_cell_ = in.take_one<std::uint64_t>("md.cells.blocks_per_cell");
-    in.take_into("md.cells.counts", std::span(counts_));
-    const auto stored = in.take<Block>("md.cells.blocks");
-    blocks_.assign(stored.begin(), stored.end());
-    if (blocks_.size() != counts_.size() * blocks_per_cell_)
+    const auto counts = in.take<std::uint32_t>("md.cells.counts");
+    const auto entries = in.take<Entry>("md.cells.entries");
+    if (counts.size() != cells_.size() ||
+        std::accumulate(counts.begin(), counts.end(), std::size_t{0}) != entries.size())
         throw files::Damaged("the checkpoint's cells are not its size");
+    clear();
+    std::size_t from = 0;
+    for (std::uint32_t cell = 0; cell < counts.size(); ++cell)
+        for (std::uint32_t n = 0; n < counts[cell]; ++n) enter(cell, entries[from++]);
 }
 
 }  // namespace shaken::md

@@ -2,6 +2,7 @@
 // Which centres lie within reach of a point. Cells at least as wide as the longest reach hold copies of the centres in
 // single precision, eight to a block, so that eight are tried at once. Single precision may let in a centre up to
 // `margin` too far, never leave one out. Along a non-periodic z the cells repeat (a hash of the height).
+// A cell is a chain of blocks from a common store: an empty one costs eight bytes, a crowded one what it holds.
 #pragma once
 
 #include <array>
@@ -31,8 +32,8 @@ class NeighbourCells {
     void leave(std::uint32_t cell, std::uint32_t particle);
     void replace(std::uint32_t cell, const Entry& entry);
 
-    /// Writes to `found` every particle within reach of this centre, itself left out; returns how many. `found` holds
-    /// as many as three layers of cells can.
+    /// Writes to `found` every particle within reach of this centre, itself left out; returns how many. `found` is made
+    /// as long as the fullest cells could need.
     std::size_t within_reach(std::uint32_t cell, const Entry& centre, std::vector<std::uint32_t>& found) const;
 
     /// Every place in every cell, in order: the order of lists, and so the choice among equal times, follows it.
@@ -40,13 +41,19 @@ class NeighbourCells {
     void restore(const files::CheckpointReader& in);
 
     double margin() const { return margin_; }
-    std::size_t bytes() const { return blocks_.capacity() * sizeof(Block) + counts_.capacity() * sizeof(counts_[0]); }
+    std::size_t bytes() const {
+        return blocks_.capacity() * sizeof(Block) + next_.capacity() * sizeof(next_[0]) +
+               cells_.capacity() * sizeof(Cell);
+    }
 
   private:
     static constexpr std::size_t lanes = 8;
     struct alignas(32) Block {
         std::array<float, lanes> x, y, z, half_shell;
         std::array<std::uint32_t, lanes> particle;
+    };
+    struct Cell {
+        std::uint32_t first, count;  // block of the chain; particles
     };
     struct Axis {
         float length = 0.0f;  // 0: not periodic
@@ -60,17 +67,26 @@ class NeighbourCells {
             return moved < 0 ? moved + count : moved >= count ? moved - count : moved;
         }
     };
-    void set(std::size_t cell, std::size_t place, const Entry& entry);
-    std::size_t place_of(std::uint32_t cell, std::uint32_t particle) const;
-    void make_room();
-    Block* blocks_of(std::size_t cell) { return blocks_.data() + cell * blocks_per_cell_; }
-    const Block* blocks_of(std::size_t cell) const { return blocks_.data() + cell * blocks_per_cell_; }
+    /// Where one particle is kept.
+    struct Place {
+        std::uint32_t block;
+        std::size_t lane;
+    };
+    static constexpr std::uint32_t none = 0xffffffffu;
+
+    void set(Place place, const Entry& entry);
+    Entry get(Place place) const;
+    Place place_of(std::uint32_t cell, std::uint32_t particle) const;
+    std::uint32_t block_of(const Cell& cell, std::size_t place) const;
+    std::uint32_t take_block();
 
     Axis x_, y_, z_;
     float margin_;
-    std::size_t blocks_per_cell_;
-    PagedVector<Block> blocks_;          // (cells, blocks per cell); unused places lie out of every reach
-    std::vector<std::uint16_t> counts_;  // (cells)
+    PagedVector<Block> blocks_;        // unused places lie out of every reach
+    PagedVector<std::uint32_t> next_;  // of each block: the next of its chain, or of those to spare
+    std::uint32_t spare_ = none;
+    PagedVector<Cell> cells_;
+    std::size_t fullest_ = 0;  // particles that any one cell has held at once
 };
 
 }  // namespace shaken::md

@@ -12,7 +12,6 @@ namespace shaken::md {
 namespace {
 
 constexpr double wanted_neighbours = 15.0;  // found by bench/md.md
-constexpr std::size_t first_stride = 24;    // one word for the count, half as much again as wanted
 
 bool holds(std::span<const std::uint32_t> list, std::uint32_t wanted) {
     unsigned found = 0;  // no early exit: short lists are compared eight at a time
@@ -28,9 +27,7 @@ NeighbourLists::NeighbourLists(const Box& box, double widest, std::size_t partic
       y_(box.y),
       z_(box.periodic_z ? Periodic(box.z) : Periodic()),
       cells_(box, 1.0 + widest, particles),
-      stride_(first_stride),
-      centres_(particles),
-      rows_(particles * stride_) {}
+      centres_(particles) {}
 
 /// Half shell at which the list would have the wanted length, going by its present one; at most a quarter at a time.
 float NeighbourLists::adapted(float half_shell, std::size_t neighbours) const {
@@ -42,7 +39,7 @@ float NeighbourLists::adapted(float half_shell, std::size_t neighbours) const {
 
 NeighbourCells::Entry NeighbourLists::entry(std::uint32_t i) const {
     const Centre& c = centres_[i];
-    return {static_cast<float>(c.x), static_cast<float>(c.y), static_cast<float>(c.z), c.half_shell, i};
+    return {c.x, c.y, c.z, c.half_shell, i};
 }
 
 void NeighbourLists::place(std::uint32_t i, Particle& p) {
@@ -50,40 +47,61 @@ void NeighbourLists::place(std::uint32_t i, Particle& p) {
     p.y = y_.wrapped(p.y);
     p.z = z_.wrapped(p.z);
     Centre& c = centres_[i];
-    c.x = p.x;
-    c.y = p.y;
-    c.z = p.z - shift_;
+    c.x = static_cast<float>(p.x);
+    c.y = static_cast<float>(p.y);
+    c.z = static_cast<float>(p.z - shift_);
     c.cell = cells_.cell_of(c.x, c.y, c.z);
 }
 
-void NeighbourLists::write_row(std::uint32_t i, std::span<const std::uint32_t> neighbours) {
-    if (neighbours.size() >= stride_) make_room(neighbours.size());
-    row(i)[0] = static_cast<std::uint32_t>(neighbours.size());
-    std::copy(neighbours.begin(), neighbours.end(), row(i) + 1);
+/// Changes the length; what the list holds stays as far as it fits.
+void NeighbourLists::resize(std::uint32_t i, std::size_t neighbours) {
+    Centre& c = centres_[i];
+    const bool was_long = c.count > held, becomes_long = neighbours > held;
+    if (neighbours > longest_) make_room(neighbours);
+    if (becomes_long && !was_long) {
+        if (spare_slots_.empty()) {
+            spare_slots_.push_back(static_cast<std::uint32_t>(long_lists_.size() / longest_));
+            long_lists_.resize(long_lists_.size() + longest_);
+        }
+        const std::uint32_t slot = spare_slots_.back();
+        spare_slots_.pop_back();
+        std::copy_n(c.neighbours.begin(), c.count, long_lists_.begin() + static_cast<std::ptrdiff_t>(slot * longest_));
+        c.neighbours[0] = slot;
+    } else if (was_long && !becomes_long) {
+        const std::uint32_t slot = c.neighbours[0];
+        spare_slots_.push_back(slot);
+        std::copy_n(long_lists_.begin() + static_cast<std::ptrdiff_t>(slot * longest_), neighbours,
+                    c.neighbours.begin());
+    }
+    c.count = static_cast<std::uint32_t>(neighbours);
+}
+
+void NeighbourLists::write(std::uint32_t i, std::span<const std::uint32_t> neighbours) {
+    resize(i, neighbours.size());
+    std::copy(neighbours.begin(), neighbours.end(), list(i).begin());
 }
 
 void NeighbourLists::add(std::uint32_t i, std::uint32_t neighbour) {
-    if (row(i)[0] + 1 >= stride_) make_room(stride_);
-    std::uint32_t* const list = row(i);
-    list[++list[0]] = neighbour;
+    resize(i, centres_[i].count + 1);
+    list(i).back() = neighbour;
 }
 
 void NeighbourLists::remove(std::uint32_t i, std::uint32_t neighbour) {
-    std::uint32_t* const list = row(i);
-    std::uint32_t* const last = list + list[0];
-    std::uint32_t* const found = std::find(list + 1, last + 1, neighbour);
-    if (found == last + 1) throw InvariantBroken("md: neighbour lists are no longer mutual");
-    *found = *last;
-    --list[0];
+    const std::span<std::uint32_t> all = list(i);
+    const auto found = std::find(all.begin(), all.end(), neighbour);
+    if (found == all.end()) throw InvariantBroken("md: neighbour lists are no longer mutual");
+    *found = all.back();
+    resize(i, all.size() - 1);
 }
 
 void NeighbourLists::make_room(std::size_t neighbours) {
-    const std::size_t wider = neighbours / 4 * 4 + 4;
-    PagedVector<std::uint32_t> roomy(centres_.size() * wider);
-    for (std::size_t i = 0; i < centres_.size(); ++i)
-        std::copy_n(rows_.data() + i * stride_, rows_[i * stride_] + 1, roomy.data() + i * wider);
-    rows_ = std::move(roomy);
-    stride_ = wider;
+    const std::size_t longer = neighbours + neighbours / 4;
+    const std::size_t slots = long_lists_.size() / longest_;
+    std::vector<std::uint32_t> roomy(slots * longer);
+    for (std::size_t slot = 0; slot < slots; ++slot)
+        std::copy_n(long_lists_.data() + slot * longest_, longest_, roomy.data() + slot * longer);
+    long_lists_ = std::move(roomy);
+    longest_ = longer;
 }
 
 void NeighbourLists::build(std::span<Particle> particles) {
@@ -96,17 +114,15 @@ void NeighbourLists::build(std::span<Particle> particles) {
         centres_[i].half_shell = static_cast<float>(0.25 * widest_);
         cells_.enter(centres_[i].cell, entry(i));
     }
+    std::vector<std::uint32_t> near(count);
     for (std::uint32_t i = 0; i < count; ++i)
-        row(i)[0] = static_cast<std::uint32_t>(cells_.within_reach(centres_[i].cell, entry(i), found_));
-    for (std::uint32_t i = 0; i < count; ++i) {
-        centres_[i].half_shell = adapted(centres_[i].half_shell, row(i)[0]);
-        row(i)[0] = 0;
-    }
+        near[i] = static_cast<std::uint32_t>(cells_.within_reach(centres_[i].cell, entry(i), found_));
+    for (std::uint32_t i = 0; i < count; ++i) centres_[i].half_shell = adapted(centres_[i].half_shell, near[i]);
     cells_.clear();
     for (std::uint32_t i = 0; i < count; ++i) cells_.enter(centres_[i].cell, entry(i));
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::size_t neighbours = cells_.within_reach(centres_[i].cell, entry(i), found_);
-        write_row(i, {found_.data(), neighbours});
+        write(i, {found_.data(), neighbours});
     }
 }
 
@@ -128,24 +144,31 @@ void NeighbourLists::rebuild(std::uint32_t i, Particle& p) {
         if (!holds(now, j)) remove(j, i);
     for (const std::uint32_t j : now)
         if (!holds(of(i), j)) add(j, i);
-    write_row(i, now);
+    write(i, now);
 }
 
 void NeighbourLists::save(files::CheckpointWriter& out) const {
     out.put("md.neighbours.shift", shift_);
-    out.put("md.neighbours.centres", std::span<const Centre>(centres_));
     // Only what is in use: places past a list's end hold leftovers that are no part of the state.
-    std::vector<std::uint32_t> used;
+    std::vector<NeighbourCells::Entry> centres;
+    std::vector<std::uint32_t> cells, used;
     for (std::uint32_t i = 0; i < centres_.size(); ++i) {
-        used.push_back(static_cast<std::uint32_t>(of(i).size()));
+        centres.push_back(entry(i));
+        cells.push_back(centres_[i].cell);
+        used.push_back(centres_[i].count);
         used.insert(used.end(), of(i).begin(), of(i).end());
     }
+    out.put("md.neighbours.centres", centres);
+    out.put("md.neighbours.cells", cells);
     out.put("md.neighbours.lists", used);
     cells_.save(out);
 }
 
 void NeighbourLists::restore(const files::CheckpointReader& in) {
-    in.take_into("md.neighbours.centres", std::span(centres_));
+    const auto centres = in.take<NeighbourCells::Entry>("md.neighbours.centres");
+    const auto cells = in.take<std::uint32_t>("md.neighbours.cells");
+    if (centres.size() != centres_.size() || cells.size() != centres_.size())
+        throw files::Damaged("the checkpoint has neighbour lists of another system");
     shift_ = in.take_one<double>("md.neighbours.shift");
     const auto used = in.take<std::uint32_t>("md.neighbours.lists");
     cells_.restore(in);
@@ -153,13 +176,20 @@ void NeighbourLists::restore(const files::CheckpointReader& in) {
     for (std::uint32_t i = 0; i < centres_.size(); ++i) {
         if (from >= used.size() || used[from] > used.size() - from - 1)
             throw files::Damaged("the checkpoint's neighbour lists end too soon");
-        write_row(i, {used.data() + from + 1, used[from]});
+        Centre& c = centres_[i];
+        c.x = centres[i].x;
+        c.y = centres[i].y;
+        c.z = centres[i].z;
+        c.half_shell = centres[i].half_shell;
+        c.cell = cells[i];
+        write(i, {used.data() + from + 1, used[from]});
         from += used[from] + 1;
     }
 }
 
 std::size_t NeighbourLists::bytes() const {
-    return centres_.capacity() * sizeof(Centre) + rows_.capacity() * sizeof(std::uint32_t) + cells_.bytes();
+    return centres_.capacity() * sizeof(Centre) + cells_.bytes() +
+           (long_lists_.capacity() + spare_slots_.capacity()) * sizeof(std::uint32_t);
 }
 
 }  // namespace shaken::md

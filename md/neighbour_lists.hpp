@@ -6,6 +6,7 @@
 // in a dilute gas particles keep their lists for longer flights.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -41,11 +42,18 @@ struct Periodic {
 
 class NeighbourLists {
   public:
-    struct Centre {
-        double x, y, z;  // z less the frame's shift()
+    /// How many neighbours a record holds; longer lists lie elsewhere as a whole.
+    static constexpr std::size_t held = 26;
+    /// A particle's centre and list, in two cache lines side by side. The centre is exactly these single-precision
+    /// numbers: they differ from where the particle stood by less than the last place of the box length.
+    struct alignas(128) Centre {
+        float x, y, z;  // z less the frame's shift()
         float half_shell;
         std::uint32_t cell;
+        std::uint32_t count;  // neighbours
+        std::array<std::uint32_t, held> neighbours;
     };
+    static_assert(sizeof(Centre) == 128);
 
     /// widest: largest sum of two half shells, at most (L/2 - 1)/2 for periodic lengths L, so that one image of a
     /// neighbour suffices. Half shells stay between a fifth of that and the half of it.
@@ -59,8 +67,8 @@ class NeighbourLists {
     void shift_heights(double shift) { shift_ += shift; }
 
     std::span<const std::uint32_t> of(std::uint32_t i) const {
-        const std::uint32_t* const row = rows_.data() + static_cast<std::size_t>(i) * stride_;
-        return {row + 1, row[0]};
+        const Centre& c = centres_[i];
+        return {c.count <= held ? c.neighbours.data() : long_list(c), c.count};
     }
     const Centre& centre(std::uint32_t i) const { return centres_[i]; }
     double shift() const { return shift_; }
@@ -80,11 +88,16 @@ class NeighbourLists {
     std::size_t bytes() const;
 
   private:
-    std::uint32_t* row(std::uint32_t i) { return rows_.data() + static_cast<std::size_t>(i) * stride_; }
+    std::span<std::uint32_t> list(std::uint32_t i) {
+        Centre& c = centres_[i];
+        return {c.count <= held ? c.neighbours.data() : long_lists_.data() + c.neighbours[0] * longest_, c.count};
+    }
+    const std::uint32_t* long_list(const Centre& c) const { return long_lists_.data() + c.neighbours[0] * longest_; }
     float adapted(float half_shell, std::size_t neighbours) const;
     NeighbourCells::Entry entry(std::uint32_t i) const;
     void place(std::uint32_t i, Particle& particle);
-    void write_row(std::uint32_t i, std::span<const std::uint32_t> neighbours);
+    void write(std::uint32_t i, std::span<const std::uint32_t> neighbours);
+    void resize(std::uint32_t i, std::size_t neighbours);
     void add(std::uint32_t i, std::uint32_t neighbour);
     void remove(std::uint32_t i, std::uint32_t neighbour);
     void make_room(std::size_t neighbours);
@@ -93,9 +106,10 @@ class NeighbourLists {
     Periodic x_, y_, z_;
     NeighbourCells cells_;
     double shift_ = 0.0;
-    std::size_t stride_;
     PagedVector<Centre> centres_;
-    PagedVector<std::uint32_t> rows_;   // (N, stride): how many, then which
+    std::size_t longest_ = 2 * held;         // places of a long list
+    std::vector<std::uint32_t> long_lists_;  // (slots, longest_); a record names its slot in its first place
+    std::vector<std::uint32_t> spare_slots_;
     std::vector<std::uint32_t> found_;  // by the last search
 };
 
