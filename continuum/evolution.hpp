@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "continuum/kernels.hpp"
+#include "continuum/method.hpp"
 #include "continuum/setup.hpp"
 #include "continuum/solver.hpp"
 
@@ -35,29 +36,29 @@ struct Workspace {
 
 enum class Direction { x, y, z };
 
-class Evolution {
+class Evolution : public Method {
   public:
     /// Throws scene::SceneError for unknown names.
     explicit Evolution(Setup setup);
 
     /// The longest step that the waves allow now, times cfl.
-    double longest_step();
+    double longest_step() override;
     /// One step from local time t; throws RunFailed, with the state as it was, if it cannot be made.
-    void step(double t, double dt);
+    void step(double t, double dt) override;
 
-    const Grid& grid() const { return setup_.grid; }
-    const Flow& flow() const { return setup_.flow; }
+    const Grid& grid() const override { return setup_.grid; }
+    const Flow& flow() const override { return setup_.flow; }
     double bytes_per_cell() const;
     Flow& flow() { return setup_.flow; }
-    double mass() const;  // per horizontal area
-    double mass_share_at_temperature_floor() const;
-    double floor_temperature() const { return constants_.floor_temperature; }
-    Ledger ledger() const;
-    std::int64_t steps() const { return steps_; }
+    double mass() const override;  // per horizontal area
+    double mass_share_at_temperature_floor() const override;
+    double floor_temperature() const override { return constants_.floor_temperature; }
+    Ledger ledger() const override;
+    std::int64_t steps() const override { return steps_; }
     std::int64_t repeated_steps() const { return repeated_; }
 
-    void save(files::CheckpointWriter& out) const;
-    void restore(const files::CheckpointReader& in);
+    void save(files::CheckpointWriter& out) const override;
+    void restore(const files::CheckpointReader& in) override;
 
   private:
     struct Sweeps {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "continuum/closures/pressure.hpp"
+#include "continuum/ftcs/ftcs.hpp"
 #include "continuum/kernels.hpp"
 #include "scene/errors.hpp"
 
@@ -51,6 +52,12 @@ std::vector<double> column_factors(const Grid& grid, double noise, std::uint64_t
     return factors;
 }
 
+/// 1 inside the layer and exp(-(z - top)/T) above, as of a gas at rest, with the top lowered so that mass is kept.
+double share_below_soft_top(double z, double height, double temperature) {
+    const double top = std::max(0.0, height - temperature);
+    return z < top ? 1.0 : std::exp((top - z) / temperature);
+}
+
 }  // namespace
 
 int resolve_dimension(const scene::Scene& scene) {
@@ -90,10 +97,12 @@ Setup make_setup(const scene::Scene& scene) {
         throw scene::SceneError(
             {}, fmt::format("the layer starts {:.4g} high and does not fit below continuum.lid = {}", height,
                             scene.continuum.lid));
+    const bool soft_top = scene.continuum.scheme.name == Ftcs::name;
     for (std::int64_t column = 0; column < grid.columns(); ++column) {
         const double factor = factors[static_cast<std::size_t>(column)];
         for (std::int64_t iz = 0; iz < grid.nz; ++iz) {
-            const double filled = std::clamp(height / grid.dz - static_cast<double>(iz), 0.0, 1.0);
+            const double filled = soft_top ? share_below_soft_top(grid.centre(iz), height, scene.initial.temperature)
+                                           : std::clamp(height / grid.dz - static_cast<double>(iz), 0.0, 1.0);
             const auto i = static_cast<std::size_t>(grid.first(column) + iz);
             setup.flow.density[i] = std::max(factor * filled * density, floor);
             setup.flow.temperature[i] = scene.initial.temperature;

@@ -7,15 +7,15 @@
 #include <stdexcept>
 
 #include "continuum/errors.hpp"
-#include "continuum/evolution.hpp"
 #include "continuum/initial_state.hpp"
+#include "continuum/method.hpp"
 #include "files/errors.hpp"
 
 namespace shaken::continuum {
 
 struct Solver::Parts {
     explicit Parts(const scene::Scene& scene)
-        : evolution(make_setup(scene)), period(scene.motion.period()), phases(scene.sample.phases) {}
+        : method(make_method(make_setup(scene))), period(scene.motion.period()), phases(scene.sample.phases) {}
 
     double instant(std::int64_t at_phase) const {
         return period * (static_cast<double>(at_phase) / static_cast<double>(phases));
@@ -27,14 +27,14 @@ struct Solver::Parts {
         double done = 0.0;
         while (done < interval) {
             const double left = interval - done;
-            const double pieces = std::ceil(left / evolution.longest_step() * (1.0 - 1e-12));
+            const double pieces = std::ceil(left / method->longest_step() * (1.0 - 1e-12));
             if (!(pieces < most_steps_a_phase))
                 throw RunFailed(fmt::format(
                     "continuum: the step fell below {:.2g} of a sample interval at cycle {}, time {:.6g} in the cycle",
                     1.0 / most_steps_a_phase, cycle, from + done));
             const double dt = left / pieces;
             try {
-                evolution.step(from + done, dt);
+                method->step(from + done, dt);
             } catch (const RunFailed& failure) {
                 throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle));
             }
@@ -44,21 +44,21 @@ struct Solver::Parts {
             phase = 0;
             ++cycle;
         }
-        const double share = evolution.mass_share_at_temperature_floor();
+        const double share = method->mass_share_at_temperature_floor();
         if (share > most_mass_at_floor)
             throw RunFailed(fmt::format(
                 "continuum: at cycle {}, time {:.6g} in the cycle, {:.0f} % of the mass is held at the temperature "
                 "floor {:.3g} "
                 "(at most {:.0f} % is allowed): the gas has frozen; lower continuum.floor_temperature, or raise the "
                 "restitution",
-                cycle, instant(phase), 100.0 * share, evolution.floor_temperature(), 100.0 * most_mass_at_floor));
+                cycle, instant(phase), 100.0 * share, method->floor_temperature(), 100.0 * most_mass_at_floor));
     }
 
     static constexpr double most_steps_a_phase = 1e6;
     // Heat that the floor gives to this much of the layer is no longer a correction.
     static constexpr double most_mass_at_floor = 0.5;
 
-    Evolution evolution;
+    std::unique_ptr<Method> method;
     double period;
     std::int64_t phases;
     std::int64_t cycle = 0, phase = 0;
@@ -82,16 +82,16 @@ std::int64_t Solver::cycle() const { return parts_->cycle; }
 std::int64_t Solver::phase() const { return parts_->phase; }
 double Solver::time_in_cycle() const { return parts_->instant(parts_->phase); }
 
-std::int64_t Solver::cells_x() const { return parts_->evolution.grid().nx; }
-std::int64_t Solver::cells_y() const { return parts_->evolution.grid().ny; }
-std::int64_t Solver::cells_z() const { return parts_->evolution.grid().nz; }
-double Solver::spacing_x() const { return parts_->evolution.grid().dx; }
-double Solver::spacing_y() const { return parts_->evolution.grid().dy; }
-double Solver::spacing_z() const { return parts_->evolution.grid().dz; }
+std::int64_t Solver::cells_x() const { return parts_->method->grid().nx; }
+std::int64_t Solver::cells_y() const { return parts_->method->grid().ny; }
+std::int64_t Solver::cells_z() const { return parts_->method->grid().nz; }
+double Solver::spacing_x() const { return parts_->method->grid().dx; }
+double Solver::spacing_y() const { return parts_->method->grid().dy; }
+double Solver::spacing_z() const { return parts_->method->grid().dz; }
 
 ColumnView Solver::column(std::int64_t ix, std::int64_t iy) const {
-    const Grid& grid = parts_->evolution.grid();
-    const Flow& flow = parts_->evolution.flow();
+    const Grid& grid = parts_->method->grid();
+    const Flow& flow = parts_->method->flow();
     const auto inside = [&](const std::vector<double>& field) {
         return std::span<const double>(field.data() + grid.first(grid.column(ix, iy)),
                                        static_cast<std::size_t>(grid.nz));
@@ -100,24 +100,24 @@ ColumnView Solver::column(std::int64_t ix, std::int64_t iy) const {
             inside(flow.temperature)};
 }
 
-double Solver::mass() const { return parts_->evolution.mass(); }
-std::int64_t Solver::steps() const { return parts_->evolution.steps(); }
-Ledger Solver::ledger() const { return parts_->evolution.ledger(); }
+double Solver::mass() const { return parts_->method->mass(); }
+std::int64_t Solver::steps() const { return parts_->method->steps(); }
+Ledger Solver::ledger() const { return parts_->method->ledger(); }
 
 void Solver::save(files::CheckpointWriter& out) const {
-    parts_->evolution.save(out);
+    parts_->method->save(out);
     out.put("continuum/cycle", parts_->cycle);
     out.put("continuum/phase", parts_->phase);
     out.put("continuum/phases", parts_->phases);
 }
 
 void Solver::restore(const files::CheckpointReader& in) {
-    const Grid& grid = parts_->evolution.grid();
+    const Grid& grid = parts_->method->grid();
     if (in.take<std::int64_t>("continuum/cells") != std::vector<std::int64_t>{grid.nx, grid.ny, grid.nz} ||
         in.take_one<std::int64_t>("continuum/phases") != parts_->phases)
         throw files::Damaged(
             "the checkpoint was written for another grid or another number of phases than the scene's");
-    parts_->evolution.restore(in);
+    parts_->method->restore(in);
     parts_->cycle = in.take_one<std::int64_t>("continuum/cycle");
     parts_->phase = in.take_one<std::int64_t>("continuum/phase");
 }

@@ -89,6 +89,9 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"spacing_horizontal", "sigma", "horizontal grid spacing"}, s.continuum.spacing_horizontal, {1e-3, 1e6});
     v.number({"lid", "sigma", "height of the lid above the plate, with which it moves"}, s.continuum.lid, {2.0, 1e6});
     v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
+    v.number({"artificial_dissipation", "",
+              "C_AD of the scheme ftcs: C_AD dx^2 exp(-200 nu)/dt is added to the diffusion of u and T"},
+             s.continuum.artificial_dissipation, {0.0, 1.0});
     v.number({"floor_density", "", "least density, relative to the mean density N/(x y lid)"},
              s.continuum.floor_density, {0.0, 0.1, true});
     v.number({"floor_temperature", "g sigma", "least temperature"}, s.continuum.floor_temperature, {0.0, 1.0, true});

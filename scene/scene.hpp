@@ -82,6 +82,7 @@ struct Continuum {
     double spacing_horizontal = 2.0;    // in sigma
     double lid = 80.0;                  // height above the plate, moving with it
     double cfl = 0.8;
+    double artificial_dissipation = 0.1;  // C_AD of the scheme ftcs
     double floor_density = 1e-7;      // relative to the mean density N / (Lx Ly lid)
     double floor_temperature = 1e-4;  // in g sigma
 };

@@ -7,10 +7,11 @@
 #include "continuum/closures/garzo_dufty.hpp"
 #include "continuum/closures/goldshtein.hpp"
 #include "continuum/closures/jenkins_richman.hpp"
+#include "continuum/closures/jenkins_richman_dense.hpp"
 
 namespace shaken::continuum {
 
 using PairCorrelations = Choices<Goldshtein, CarnahanStarling>;
-using Closures = Choices<JenkinsRichman, GarzoDufty>;
+using Closures = Choices<JenkinsRichman, JenkinsRichmanDense, GarzoDufty>;
 
 }  // namespace shaken::continuum

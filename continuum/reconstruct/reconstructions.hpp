@@ -34,6 +34,19 @@ struct SchemeWeno5 {
     }
 };
 
-using Schemes = Choices<SchemeMuscl, SchemeWeno5>;
+/// The source's finite differences (continuum/ftcs/): no fluxes, so nothing is reconstructed. Flux and limiter are not
+/// used.
+struct SchemeFtcs {
+    static constexpr std::string_view name = "ftcs";
+    static constexpr std::span<const Stage> stages = forward_euler;
+
+    template <class Use>
+    static bool with_limiter(const scene::Choice& limiter, const Use& use) {
+        choose(Limiters{}, "continuum.limiter", limiter, [](auto) { return true; });
+        return use(Muscl<LimiterFirstOrder>{});
+    }
+};
+
+using Schemes = Choices<SchemeMuscl, SchemeWeno5, SchemeFtcs>;
 
 }  // namespace shaken::continuum

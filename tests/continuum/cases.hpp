@@ -39,7 +39,7 @@ inline continuum::Setup tube(std::int64_t cells, double length, continuum::End l
     return setup;
 }
 
-inline void advance(continuum::Evolution& evolution, double duration, double from = 0.0) {
+inline void advance(continuum::Method& evolution, double duration, double from = 0.0) {
     double t = 0.0;
     while (t < duration) {
         const double dt = std::min(evolution.longest_step(), duration - t);

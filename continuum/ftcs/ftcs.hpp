@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: MIT
+// The source's own method (Bougie 2004, sections 3.2.4 to 3.2.9), as the baseline that the others are held against:
+// forward Euler in time and second-order centred differences of the equations in n, u and T as they stand, not as
+// balances. Mass and energy are therefore kept to truncation error only, and the run says how badly.
+//     nodes    0    1    2         N    the walls are nodes: u_z = 0 there, and u_x, u_y and T as the one-sided
+//              |----|----| ... ----|    derivative of zero makes them; only n evolves, with a one-sided d u_z/dz
+//     cells      0    1        N-1      flow() gives the means of two nodes
+// Terms in 1/G are left out of jenkins_richman (closures/jenkins_richman_dense.hpp) and artificial dissipation takes
+// their place where the gas is thin. The source names no floor; the floors of [continuum] hold here too, and
+// floor_mass() says what they added. A flat layer starts with an exponential top: a jump to vacuum in one cell ends the
+// run in the first steps, since grad p / n has no bound there.
+#pragma once
+
+#include <cstdint>
+#include <string_view>
+#include <vector>
+
+#include "continuum/closures/effective_dissipation.hpp"
+#include "continuum/kernels.hpp"
+#include "continuum/method.hpp"
+
+namespace shaken::continuum {
+
+class Ftcs : public Method {
+  public:
+    static constexpr std::string_view name = "ftcs";
+
+    /// Throws scene::SceneError for unknown names, and for ends other than walls.
+    explicit Ftcs(Setup setup);
+
+    /// Equation 3.21 and what follows it: the least over all nodes of 1.5 h/|u_i|, 0.16 n h^2/(mu, lambda, kappa) and
+    /// 0.3/(D G sqrt(T)), h the smallest spacing. cfl has no part in it.
+    double longest_step() override;
+    void step(double t, double dt) override;
+
+    const Grid& grid() const override { return setup_.grid; }
+    const Flow& flow() const override;
+    double mass() const override;
+    double floor_mass() const { return floor_mass_; }  // per area, added where n met its floor
+    double mass_share_at_temperature_floor() const override;
+    double floor_temperature() const override { return setup_.floor_temperature; }
+    /// dual_energy_gain is what the differences make or lose: the balance of all other entries.
+    Ledger ledger() const override;
+    std::int64_t steps() const override { return steps_; }
+
+    void save(files::CheckpointWriter& out) const override;
+    void restore(const files::CheckpointReader& in) override;
+
+  private:
+    struct Books {
+        double work = 0.0, loss = 0.0, heat_of_floor = 0.0, mass_of_floor = 0.0;
+    };
+    struct Column;
+
+    Column column(std::int64_t ix, std::int64_t iy) const;
+    void close(std::int64_t column);
+    void enforce_walls(std::int64_t column);
+    void difference(std::int64_t column, double gravity, double dt);
+    void difference_at_wall(std::int64_t column, std::int64_t node, std::int64_t inward, double dt);
+    Books settle(std::int64_t column, double dt);
+    [[noreturn]] void fail(double t, double dt) const;
+    double energy() const;
+
+    Setup setup_;
+    mutable Flow cells_;  // filled when flow() is asked for
+    Kernels kernels_;
+    Constants constants_;
+    EffectiveDissipation dissipation_;
+    Grid nodes_;
+    Flow now_, next_;
+    std::vector<double> pressure_, bulk_, shear_, conductivity_, density_conductivity_, cooling_, sound_;
+    double floor_density_ = 0.0;
+    double smallest_spacing_ = 1.0;
+    double strength_ = 0.0;  // C_AD
+    double body_force_work_ = 0.0, collisional_loss_ = 0.0, floor_gain_ = 0.0, floor_mass_ = 0.0;
+    double initial_energy_ = 0.0;
+    std::int64_t steps_ = 0;
+    bool closed_ = false;  // whether pressure and coefficients are those of now_
+};
+
+}  // namespace shaken::continuum
