@@ -57,6 +57,7 @@ class EventLoop final : public Engine {
     void sort_in_space();
     double epoch_end() const { return period_ * (epoch_ + 1) / epochs_; }
     void note_contact(ContactEvent::Kind kind, std::uint32_t i, std::uint32_t j);
+    void look_for_collapse();
     std::int64_t contacts() const {
         return counters_.pair_collisions + counters_.plate_collisions + counters_.ceiling_collisions;
     }
@@ -83,7 +84,8 @@ class EventLoop final : public Engine {
     std::int64_t contacts_at_sort_ = 0;
     std::int64_t events_at_epoch_start_ = 0;
     std::int64_t stall_mark_events_ = 0;
-    double stall_mark_time_ = 0.0;
+    std::int64_t stall_mark_pairs_ = 0;
+    double stall_mark_time_ = 0.0, stall_mark_virial_ = 0.0;
 };
 
 }  // namespace shaken::md

@@ -72,6 +72,8 @@ void EventLoop<Law, Layered>::save(files::CheckpointWriter& out) const {
     out.put("md.events_at_epoch_start", events_at_epoch_start_);
     out.put("md.stall_mark_events", stall_mark_events_);
     out.put("md.stall_mark_time", stall_mark_time_);
+    out.put("md.stall_mark_pairs", stall_mark_pairs_);
+    out.put("md.stall_mark_virial", stall_mark_virial_);
     neighbours_.save(out);
 }
 
@@ -94,6 +96,8 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     events_at_epoch_start_ = in.take_one<std::int64_t>("md.events_at_epoch_start");
     stall_mark_events_ = in.take_one<std::int64_t>("md.stall_mark_events");
     stall_mark_time_ = in.take_one<double>("md.stall_mark_time");
+    stall_mark_pairs_ = in.take_one<std::int64_t>("md.stall_mark_pairs");
+    stall_mark_virial_ = in.take_one<double>("md.stall_mark_virial");
     neighbours_.restore(in);
     const auto times = in.take<double>("md.event_times");
     if (times.size() != particles_.size()) throw files::Damaged("the checkpoint has events of another system");

@@ -53,6 +53,21 @@ TEST_CASE("inelastic collapse ends the run with the pair, the time and the remed
     }
 }
 
+TEST_CASE("a deep layer of constant restitution 0.6 collapses, one of 0.9 or of e(v) does not") {
+    auto scene = small::layer(420);  // ten a unit area, as in chapter 4
+    scene.motion = scene::PlateMotion::from_acceleration(3.0, 0.095);
+    scene.particles.restitution = scene::RestitutionConstant{0.6};
+    md::Simulation collapsing(scene);
+    CHECK_THROWS_AS(collapsing.advance_to(1, 0.0), md::Stalled);
+    CHECK(collapsing.cycle() == 0);  // at the first impact
+    for (const scene::Restitution law : {scene::Restitution(scene::RestitutionConstant{0.9}),
+                                         scene::Restitution(scene::RestitutionVelocity{0.7, 1.0})}) {
+        scene.particles.restitution = law;
+        md::Simulation flowing(scene);
+        CHECK_NOTHROW(flowing.advance_to(12, 0.0));
+    }
+}
+
 TEST_CASE("memory stays below 300 bytes a particle") {
     const md::Simulation small_one(small::gas(4000, 0.3)), large(small::gas(16000, 0.3));
     CHECK(static_cast<double>(large.memory() - small_one.memory()) / 12000.0 < 300.0);
