@@ -2,6 +2,7 @@
 #include "app/compare_command.hpp"
 
 #include <fmt/format.h>
+#include <spdlog/spdlog.h>
 
 #include <cmath>
 #include <numeric>
@@ -107,7 +108,9 @@ int run_compare(const std::filesystem::path& folder) {
     const auto md = compare::measure(fields::PhaseMoments::read(md_file, "/profiles"), scene.motion, medium);
     const auto continuum =
         compare::measure(fields::PhaseMoments::read(continuum_file, "/profiles"), scene.motion, medium);
-    compare::write_compare_file(folder / "compare.h5", md, continuum, medium, {text, scene.md.seed, ""});
+    const std::filesystem::path aside = folder / "compare.h5.part";
+    compare::write_compare_file(aside, md, continuum, medium, {text, scene.md.seed, ""});
+    std::filesystem::rename(aside, folder / "compare.h5");
     const auto summary =
         compare::summarise(md, continuum, scene, md_cost(md_file, scene), continuum_cost(continuum_file, scene));
     files::write_atomically(folder / "summary.json", summary.dump(2) + "\n");
@@ -122,6 +125,7 @@ int run_report(const std::filesystem::path& folder) {
                                              (folder / name).string(), folder.string()));
         }
     }
+    spdlog::info("drawing the figures and the report");
     const std::filesystem::path script = share_folder() / "scripts" / "figures" / "report.py";
     if (ChildProcess(drawing_python(), {script.string(), folder.string()}).wait() != 0) {
         throw std::runtime_error(fmt::format("{}: drawing the report failed", folder.string()));

@@ -5,14 +5,19 @@
 #include <spdlog/spdlog.h>
 
 #include <cstdio>
+#include <fstream>
+#include <sstream>
 
 #include "app/continuum_run.hpp"
 #include "app/engine_loop.hpp"
 #include "app/exit_codes.hpp"
 #include "app/md_run.hpp"
 #include "app/run_folder.hpp"
+#include "app/verification_run.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
+#include "files/hdf5.hpp"
+#include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
 
 namespace shaken::app {
@@ -52,12 +57,36 @@ int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spe
 template <class Run>
 int start(const std::string& engine, const EngineOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+    if (is_verification(scene.kind)) {
+        if (engine == "continuum") return run_verification(scene, options);
+        refuse_verification(scene, engine);
+    }
     const EngineFiles files{options.out, engine};
+    // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
+    Run run(scene);
     if (!options.as_child) prepare_folder(files.folder, options.overwrite);
     const FolderLock lock(files.folder, engine);
     if (!options.as_child) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
-    Run run(scene);
     return finish(run, files, options, {}, "");
+}
+
+/// A resumed run goes on with the scene it began with; a scene.toml that says otherwise would be a lie beside its
+/// output.
+void refuse_edited_scene(const std::filesystem::path& path, const std::string& begun_with) {
+    std::ifstream file(path);
+    if (!file) return;
+    std::istringstream wanted(begun_with);
+    std::string there, here;
+    for (int line = 1; std::getline(wanted, there); ++line) {
+        std::getline(file, here);
+        if (here != there) {
+            throw scene::SceneError(
+                {path.string(), line, 1, here},
+                fmt::format("differs from the scene of the checkpoint, which says '{}'; start a new "
+                            "run for a changed scene",
+                            there));
+        }
+    }
 }
 
 template <class Run>
@@ -72,9 +101,10 @@ int resume(const std::string& engine, const EngineOptions& options) {
         throw files::Damaged(fmt::format("{}: is a checkpoint of {}, not of {}", files.checkpoint().string(),
                                          in.take_text("engine"), engine));
     }
+    refuse_edited_scene(files.folder / "scene.toml", in.take_text("scene"));
     Run run(scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)"));
     run.restore(in);
-    if (run.next_sample() == run.samples() && std::filesystem::exists(files.output())) {
+    if (run.next_sample() == run.samples() && files::Hdf5File::is_readable(files.output())) {
         spdlog::info("{}: {} is complete", engine, files.output().string());
         return exit_code::done;
     }

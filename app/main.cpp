@@ -7,6 +7,7 @@
 #include <CLI/CLI.hpp>
 #include <Eigen/Core>
 #include <boost/version.hpp>
+#include <csignal>
 #include <cstdio>
 
 #include "app/bench_command.hpp"
@@ -15,6 +16,7 @@
 #include "app/exit_codes.hpp"
 #include "app/run_command.hpp"
 #include "files/errors.hpp"
+#include "md/errors.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
 #include "shaken_version.hpp"
@@ -78,8 +80,11 @@ std::string unknown_command(const CLI::App& command, int argc, char** argv) {
     return near.empty() ? message : message + fmt::format("; did you mean {}?", near);
 }
 
+/// To stderr, whether or not it can be written: the exit code says it too.
+void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
+
 int refuse_usage(const std::string& message) {
-    fmt::print(stderr, "shaken: {}\nTry: shaken --help\n", message);
+    say(fmt::format("shaken: {}\nTry: shaken --help\n", message));
     return exit_code::usage;
 }
 
@@ -169,17 +174,21 @@ int dispatch(int argc, char** argv) {
 }
 
 int refuse(const std::exception& error, int code) {
-    fmt::print(stderr, "shaken: {}\n", error.what());
+    say(fmt::format("shaken: {}\n", error.what()));
     return code;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
+    std::signal(SIGXFSZ, SIG_IGN);  // a file past the size limit is then a failed write, with its sentence and code
     spdlog::set_default_logger(spdlog::stderr_logger_st("shaken"));
     spdlog::set_pattern("shaken: %v");
     try {
-        return dispatch(argc, argv);
+        const int code = dispatch(argc, argv);
+        if (std::fflush(stdout) != 0)
+            return refuse(files::WriteFailed("stdout: cannot be written"), exit_code::write_failed);
+        return code;
     } catch (const scene::SceneError& error) {
         return refuse(error, exit_code::bad_input);
     } catch (const scene::NoSceneFile& error) {
@@ -188,12 +197,16 @@ int main(int argc, char** argv) {
         return refuse(error, exit_code::no_input);
     } catch (const files::Damaged& error) {
         return refuse(error, exit_code::bad_input);
+    } catch (const md::CannotSetUp& error) {
+        return refuse(error, exit_code::bad_input);
     } catch (const files::CannotCreate& error) {
         return refuse(error, exit_code::cannot_create);
     } catch (const files::WriteFailed& error) {
         return refuse(error, exit_code::write_failed);
     } catch (const UsageError& error) {
         return refuse(error, exit_code::usage);
+    } catch (const std::bad_alloc&) {
+        return refuse(std::runtime_error("not enough memory for this scene"), exit_code::run_failed);
     } catch (const std::exception& error) {
         return refuse(error, exit_code::run_failed);
     }

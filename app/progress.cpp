@@ -32,6 +32,7 @@ std::string rate_text(double rate) {
 }  // namespace
 
 std::string Status::line() const {
+    if (cycles == 0.0) return fmt::format("{:<9}  {}", engine, state == "running" ? "starting" : state);
     const std::string done = fmt::format("{:<9}  cycle {:7.2f} of {:.0f}", engine, cycle, cycles);
     const std::string speed = fmt::format("{:>8} {}", rate_text(rate), rate_unit);
     if (state == "running") return fmt::format("{}  {}  ETA {}", done, speed, clock_text(remaining));

@@ -17,6 +17,8 @@
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/signals.hpp"
+#include "app/verification_run.hpp"
+#include "continuum/solver.hpp"
 #include "files/atomic_write.hpp"
 #include "scene/read_scene.hpp"
 
@@ -83,6 +85,9 @@ int run_both(const EngineOptions& options) {
     const std::filesystem::path folder = options.resume.empty() ? options.out : options.resume;
     if (options.resume.empty()) {
         const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+        refuse_verification(scene, "run");
+        // The hydrodynamics check their names and sizes here, before the MD begins in vain.
+        continuum::Solver{scene};
         prepare_folder(folder, options.overwrite);
         files::write_atomically(folder / "scene.toml", scene::print_scene(scene));
     } else {

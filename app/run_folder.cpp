@@ -21,9 +21,33 @@ const std::set<std::string> own_files{"scene.toml",   "md.h5",          "md.chec
                                       "continuum.h5", "continuum.xdmf", "continuum.checkpoint", "continuum.status.json",
                                       "compare.h5",   "summary.json",   "report.html",          "figures"};
 
-bool is_lock(const std::string& name) { return name.starts_with(".lock."); }
+const std::string lock_prefix = ".lock.";
+
+bool is_lock(const std::string& name) { return name.starts_with(lock_prefix); }
+
+/// Removes what a run left; of figures/ only what it drew.
+void remove_own(const std::filesystem::path& path) {
+    std::error_code ignored;
+    if (path.filename() != "figures") {
+        std::filesystem::remove_all(path, ignored);
+        return;
+    }
+    for (const auto& entry : std::filesystem::directory_iterator(path, ignored)) {
+        if (entry.path().filename().string().starts_with("figure_")) std::filesystem::remove(entry.path(), ignored);
+    }
+    std::filesystem::remove(path, ignored);  // goes only if it is empty now
+}
 
 }  // namespace
+
+/// Throws if a run holds any of the folder's locks.
+void refuse_folder_in_use(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (const auto& entry : std::filesystem::directory_iterator(folder, ignored)) {
+        const std::string name = entry.path().filename().string();
+        if (is_lock(name)) FolderLock(folder, name.substr(lock_prefix.size()));
+    }
+}
 
 void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
     std::error_code error;
@@ -32,6 +56,7 @@ void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
     }
     std::filesystem::create_directories(folder, error);
     if (error) throw files::CannotCreate(fmt::format("{}: cannot be created: {}", folder.string(), error.message()));
+    refuse_folder_in_use(folder);
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         const std::string name = entry.path().filename().string();
         if (is_lock(name)) continue;
@@ -39,7 +64,7 @@ void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
             throw files::CannotCreate(fmt::format("{}: holds {} and perhaps more; give another folder, or --overwrite",
                                                   folder.string(), name));
         }
-        if (own_files.contains(name)) std::filesystem::remove_all(entry.path(), error);
+        if (own_files.contains(name)) remove_own(entry.path());
     }
     if (::access(folder.c_str(), W_OK | X_OK) != 0) {
         throw files::CannotCreate(fmt::format("{}: cannot be written into: {}", folder.string(), std::strerror(errno)));
@@ -47,7 +72,7 @@ void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
 }
 
 FolderLock::FolderLock(const std::filesystem::path& folder, const std::string& name)
-    : path_(folder / (".lock." + name)) {
+    : path_(folder / (lock_prefix + name)) {
     descriptor_ = ::open(path_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0644);
     if (descriptor_ < 0) {
         throw files::CannotCreate(fmt::format("{}: cannot be written into: {}", folder.string(), std::strerror(errno)));

@@ -26,6 +26,7 @@ void handle(int number, void (*handler)(int)) {
 void catch_signals() {
     handle(SIGTERM, on_stop);
     handle(SIGINT, on_stop);
+    handle(SIGHUP, on_stop);
     handle(SIGUSR1, on_checkpoint);
 }
 

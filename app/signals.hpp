@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// TERM and INT ask a run to stop with a checkpoint, USR1 asks for a checkpoint. The handlers only set flags.
+// TERM, INT and HUP ask a run to stop with a checkpoint, USR1 asks for a checkpoint. The handlers only set flags.
 #pragma once
 
 namespace shaken::app {

@@ -3,7 +3,11 @@
 
 #include <fmt/format.h>
 
+#include <unistd.h>
+
 #include <algorithm>
+#include <cerrno>
+#include <cstring>
 #include <utility>
 
 #include "files/errors.hpp"
@@ -62,6 +66,13 @@ Handle space_of(const Shape& shape) {
         H5Sclose};
 }
 
+/// Errors are ours to report. What cannot be written when a disk is full cannot be written at exit either: the
+/// library's own attempt would crash.
+void prepare_library() {
+    [[maybe_unused]] static const bool once = (H5dont_atexit(), true);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+}
+
 Handle make_missing_groups() {
     Handle properties(H5Pcreate(H5P_LINK_CREATE), H5Pclose);
     H5Pset_create_intermediate_group(properties.id(), 1);
@@ -87,8 +98,14 @@ Handle::~Handle() {
     if (id_ >= 0 && close_) close_(id_);
 }
 
+bool Hdf5File::is_readable(const std::filesystem::path& path) {
+    prepare_library();
+    return std::filesystem::exists(path) && H5Fis_hdf5(path.c_str()) > 0 &&
+           Handle(H5Fopen(path.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT), H5Fclose).id() >= 0;
+}
+
 Hdf5File::Hdf5File(const std::filesystem::path& path, Open how) : path_(path.string()) {
-    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+    prepare_library();
     if (how == Open::create) {
         const Handle access(H5Pcreate(H5P_FILE_ACCESS), H5Pclose);
         H5Pset_libver_bounds(access.id(), H5F_LIBVER_V18, H5F_LIBVER_V18);
@@ -96,7 +113,9 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Open how) : path_(path.str
         if (file_.id() < 0) throw CannotCreate(fmt::format("{}: cannot be created", path_));
         return;
     }
-    if (!std::filesystem::exists(path)) throw NoInput(fmt::format("{}: no such file", path_));
+    if (::access(path_.c_str(), how == Open::read ? R_OK : R_OK | W_OK) != 0) {
+        throw NoInput(fmt::format("{}: {}", path_, std::strerror(errno)));
+    }
     file_ = Handle(H5Fopen(path_.c_str(), how == Open::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT), H5Fclose);
     if (file_.id() < 0) throw Damaged(fmt::format("{}: not a readable HDF5 file", path_));
 }

@@ -43,6 +43,9 @@ class Hdf5File {
     /// bounds of HDF5 1.8, which every reader of the field understands.
     Hdf5File(const std::filesystem::path& path, Open how);
 
+    /// Whether a file is there that opens as HDF5.
+    static bool is_readable(const std::filesystem::path& path);
+
     /// Writes a whole array in row-major order; element types double, float, int32, int64, uint64. Arrays of more
     /// than 4096 items are compressed.
     template <class T>

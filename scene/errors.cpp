@@ -12,12 +12,23 @@ namespace shaken::scene {
 
 namespace {
 
+/// What a terminal may be shown of a line: printable, and no longer than one.
+std::string excerpt(const std::string& line) {
+    constexpr std::size_t longest = 160;  // characters
+    std::string shown = line.substr(0, longest);
+    for (char& c : shown) {
+        if (static_cast<unsigned char>(c) < 0x20 || c == 0x7f) c = c == '\t' ? ' ' : '?';
+    }
+    return line.size() > longest ? shown + " ..." : shown;
+}
+
 std::string pointing_at(const Place& place, const std::string& message) {
     if (place.source.empty()) return message;
     std::string text = place.line > 0 ? fmt::format("{}:{}:{}: {}", place.source, place.line, place.column, message)
                                       : fmt::format("{}: {}", place.source, message);
     if (!place.text.empty()) {
-        text += fmt::format("\n{:>6} | {}\n       | {:>{}}", place.line, place.text, '^', std::max(1, place.column));
+        text += fmt::format("\n{:>6} | {}", place.line, excerpt(place.text));
+        if (place.column <= 160) text += fmt::format("\n       | {:>{}}", '^', std::max(1, place.column));
     }
     return text;
 }

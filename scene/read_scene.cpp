@@ -6,7 +6,9 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <map>
 #include <set>
@@ -60,11 +62,18 @@ class Reader : public ParameterVisitor {
     void section(std::string_view name, std::string_view) override {
         section_ = name;
         known_[section_];
-        const toml::node* node = table_.get(name);
-        if (node && !node->is_table()) {
-            throw SceneError(place(*node), fmt::format("[{}] must be a section, not {}", name, type_name(*node)));
+        // "initial.left" is the section [initial.left], a table inside the table [initial].
+        keys_ = &table_;
+        for (std::size_t from = 0; keys_ && from <= name.size();) {
+            const std::size_t dot = std::min(name.find('.', from), name.size());
+            const toml::node* node = keys_->get(name.substr(from, dot - from));
+            if (node && !node->is_table()) {
+                throw SceneError(place(*node), fmt::format("[{}] must be a section, not {}", name.substr(0, dot),
+                                                           type_name(*node)));
+            }
+            keys_ = node ? node->as_table() : nullptr;
+            from = dot + 1;
         }
-        keys_ = node ? node->as_table() : nullptr;
     }
     void number(const About& a, double& value, const Range& range) override {
         if (const toml::node* node = find(a)) value = number_in(*node, full(a.key), range);
@@ -118,15 +127,23 @@ class Reader : public ParameterVisitor {
             const std::string name(section_key.str());
             const auto known = known_.find(name);
             if (known == known_.end()) throw unknown_section(section_key, name);
-            for (const auto& [key, value] : *node.as_table()) {
-                const std::string word(key.str());
-                if (!known->second.contains(word)) throw unknown_key(key, name, word, known->second);
-            }
+            refuse_unknown_keys(*node.as_table(), name);
         }
     }
 
   private:
     static constexpr Range coefficient{0.0, 1.0};
+
+    void refuse_unknown_keys(const toml::table& section, const std::string& name) const {
+        for (const auto& [key, value] : section) {
+            const std::string word(key.str()), nested = fmt::format("{}.{}", name, word);
+            if (value.is_table() && known_.contains(nested)) {
+                refuse_unknown_keys(*value.as_table(), nested);
+            } else if (const auto& known = known_.at(name); !known.contains(word)) {
+                throw unknown_key(key, name, word, known);
+            }
+        }
+    }
 
     std::string full(std::string_view key) const { return fmt::format("{}.{}", section_, key); }
     Place place(const toml::node& node) const { return place_of(node.source(), sources_); }
@@ -138,12 +155,17 @@ class Reader : public ParameterVisitor {
         return node;
     }
     double number_in(const toml::node& node, const std::string& name, const Range& range) const {
-        const std::optional<double> value = node.is_number() ? node.value<double>() : std::nullopt;
+        const auto whole = node.value_exact<std::int64_t>();
+        const std::optional<double> value = whole ? static_cast<double>(*whole) : node.value_exact<double>();
         if (!value) {
             throw SceneError(place(node),
                              fmt::format("{} must be a number ({}), not {}", name, range.text(), type_name(node)));
         }
-        if (!std::isfinite(*value) || !range.contains(*value)) throw outside(node, name, range);
+        if (!std::isfinite(*value)) {
+            throw SceneError(place(node), fmt::format("{} = {} is not a finite number; allowed: {}", name,
+                                                      described(node), range.text()));
+        }
+        if (!range.contains(*value)) throw outside(node, name, range);
         return *value;
     }
     std::int64_t whole_in(const toml::node& node, const std::string& name, const Range& range) const {
@@ -180,6 +202,10 @@ class Reader : public ParameterVisitor {
             throw SceneError(where, fmt::format("{} = {{ ... }} needs law; known: {}", name,
                                                 fmt::join(restitution_law_names(), ", ")));
         const Choice chosen{text_in(*law, name + ".law"), place(*law)};
+        const auto& laws = restitution_law_names();
+        if (std::find(laws.begin(), laws.end(), chosen.name) == laws.end()) {
+            throw unknown_choice(name + ".law", chosen, laws);
+        }
         const toml::node* e0 = table.get("e0");
         const toml::node* v0 = table.get("v0");
         if (!e0) throw SceneError(where, fmt::format("{} = {{ law = \"{}\" }} needs e0 in [0, 1]", name, chosen.name));
@@ -221,7 +247,22 @@ class Reader : public ParameterVisitor {
     std::map<std::string, std::set<std::string>> known_;
 };
 
+/// The parser recurses along dotted keys; no scene needs lines that would exhaust its stack.
+void refuse_long_lines(const std::string& text, const std::string& source) {
+    constexpr std::size_t longest = 10000;  // characters
+    std::size_t start = 0;
+    for (int line = 1; start < text.size(); ++line) {
+        const std::size_t end = std::min(text.find('\n', start), text.size());
+        if (end - start > longest) {
+            throw SceneError({source, line, 1, text.substr(start, 100)},
+                             fmt::format("the line has {} characters; at most {} are allowed", end - start, longest));
+        }
+        start = end + 1;
+    }
+}
+
 toml::table parse_toml(const std::string& text, const std::string& source, const Sources& sources) {
+    refuse_long_lines(text, source);
     try {
         return toml::parse(text, source);
     } catch (const toml::parse_error& error) {
@@ -294,10 +335,12 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
 }
 
 Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
-    if (std::filesystem::is_directory(path))
-        throw NoSceneFile(fmt::format("{}: is a folder, not a scene file", path.string()));
+    std::error_code error;
+    if (!std::filesystem::is_regular_file(path, error)) {
+        throw NoSceneFile(fmt::format("{}: {}", path.string(), error ? error.message() : "is not a file"));
+    }
     std::ifstream file(path, std::ios::binary);
-    if (!file) throw NoSceneFile(fmt::format("{}: no such scene file", path.string()));
+    if (!file) throw NoSceneFile(fmt::format("{}: {}", path.string(), std::strerror(errno)));
     std::ostringstream text;
     text << file.rdbuf();
     return parse_scene(text.str(), path.string(), overrides);

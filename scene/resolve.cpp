@@ -31,10 +31,23 @@ class Resolver {
             fail("sample.frames", fmt::format("sample.frames = {} does not divide sample.phases = {}", s_.sample.frames,
                                               s_.sample.phases));
         }
+        sizes();
         if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
             fail("continuum.spacing",
                  fmt::format("continuum.spacing = {} leaves fewer than 4 cells below the lid at {}",
                              s_.continuum.spacing, s_.continuum.lid));
+        }
+    }
+
+    void tube() {
+        const double cells = s_.tube.length / s_.continuum.spacing;
+        if (!(cells >= 16.0 && cells <= 1e7)) {
+            fail("continuum.spacing",
+                 fmt::format("continuum.spacing = {} makes {:.3g} cells of tube.length = {}; allowed: 16 to 1e7",
+                             s_.continuum.spacing, cells, s_.tube.length));
+        }
+        if (s_.kind == Kind::column && !s_.tube.wall_temperature && s_.tube.restitution < 1.0) {
+            fail("tube.restitution", "tube.restitution below 1 needs tube.wall_temperature: without heat the gas cools");
         }
     }
 
@@ -81,6 +94,32 @@ class Resolver {
         s_.motion = PlateMotion::from_acceleration(p.acceleration, frequency);
     }
 
+    /// Refuses what no machine holds, with an estimate, before it is tried.
+    void sizes() const {
+        constexpr double largest = 8e9;  // bytes
+        const double bins = s_.continuum.lid / s_.sample.bin, phases = static_cast<double>(s_.sample.phases);
+        // Ten blocks of seven moments of 8 bytes, and a height a cycle.
+        const double profiles = phases * (10.0 * 7.0 * 8.0 * bins + 8.0 * static_cast<double>(s_.sample.average));
+        if (profiles > largest) {
+            fail("sample.phases",
+                 fmt::format("sample.phases = {} with {:.3g} bins and {} cycles needs {:.3g} GB for "
+                             "averages; at most {:.3g} are allowed",
+                             s_.sample.phases, bins, s_.sample.average, 1e-9 * profiles, 1e-9 * largest));
+        }
+        const double columns =
+            s_.continuum.dimension.name == "1" || (s_.continuum.dimension.name == "auto" && s_.initial.noise == 0.0)
+                ? 1.0
+                : s_.box.x * s_.box.y / (s_.continuum.spacing_horizontal * s_.continuum.spacing_horizontal);
+        const double cells = columns * s_.continuum.lid / s_.continuum.spacing;
+        constexpr double bytes_a_cell = 220.0;
+        if (s_.continuum.dimension.name != "2" && cells * bytes_a_cell > largest) {
+            fail("continuum.spacing",
+                 fmt::format("continuum.spacing = {} and spacing_horizontal = {} make {:.3g} cells; at most "
+                             "{:.3g} are allowed",
+                             s_.continuum.spacing, s_.continuum.spacing_horizontal, cells, largest / bytes_a_cell));
+        }
+    }
+
     void heights() {
         const double thickness = s_.number_per_area() * (std::numbers::pi / 6.0) / s_.initial.volume_fraction;
         const double highest_plate = 2.0 * s_.motion.amplitude;
@@ -108,6 +147,12 @@ void resolve(Scene& scene, const std::map<std::string, Place>& places, const Pla
     switch (scene.kind) {
         case Kind::layer:
             Resolver(scene, places, whole).layer();
+            break;
+        case Kind::riemann:
+        case Kind::piston:
+        case Kind::column:
+        case Kind::wave:
+            Resolver(scene, places, whole).tube();
             break;
     }
 }

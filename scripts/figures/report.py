@@ -32,14 +32,24 @@ def main():
         return 2
     try:
         run = Run(sys.argv[1])
-        images = [(module, module.draw(run)) for module in FIGURES]
+        target = run.folder / "report.html"
+        target.write_text(page(run, [(module, drawn(module, run)) for module in FIGURES]), encoding="utf-8")
     except RunError as error:
-        print(error, file=sys.stderr)
+        print(f"shaken: {error}", file=sys.stderr)
         return 66
-    target = run.folder / "report.html"
-    target.write_text(page(run, images), encoding="utf-8")
-    print(target)
+    except (OSError, KeyError, ValueError) as error:
+        print(f"shaken: {sys.argv[1]}: the report cannot be made: {error}", file=sys.stderr)
+        return 74 if isinstance(error, OSError) else 65
     return 0
+
+
+def drawn(module, run):
+    """Path of the figure, or in words why there is none: a layer without a shock has no picture of one."""
+    try:
+        return module.draw(run)
+    except (ValueError, IndexError, TypeError) as error:
+        print(f"shaken: {module.NAME} cannot be drawn: {error}", file=sys.stderr)
+        return str(error)
 
 
 def page(run, images):
@@ -52,9 +62,8 @@ def page(run, images):
 <p>Lengths in particle diameters, times in (diameter/gravity)<sup>1/2</sup>. MD numbers carry one standard error (blocks of
 cycles left out in turn). A verdict (MD / continuum) is given only where a bound
 or a tolerance was stated beforehand.</p>
-<h2>Numbers beside the published ones</h2>
-{number_table(run.summary, references)}
-{origins(references)}
+<h2>Numbers</h2>
+{number_table(run.summary, references, run.is_of(references["scene"]))}
 <h2>Figures</h2>
 {"".join(figure(module, path) for module, path in images)}
 <h2>Centre of mass over the cycle</h2>
@@ -65,22 +74,27 @@ or a tolerance was stated beforehand.</p>
 """
 
 
-def number_table(summary, references):
+def number_table(summary, references, judged):
+    """Beside the references if the run is of their scene, else alone."""
     rows = []
     for number in references["number"]:
         if number["engines"]:
             md, continuum = find(summary["md"], number["key"]), find(summary["continuum"], number["key"])
         else:
             md, continuum = find(summary, number["key"]), None
-        cells = [html.escape(number["words"]), f'<span title="{html.escape(number["place"])}">{published(number)}</span>']
+        place = html.escape(number["place"])
+        cells = [html.escape(number["words"]), f'<span title="{place}">{published(number)}</span>' if judged else "&ndash;"]
         if number["engines"]:
             cells += [shown(*md), shown(*continuum)]
             verdicts = [verdict(number, value[0]) for value in (md, continuum) if value[0] is not None]
         else:
             cells += [f'<td class="number" colspan="2">{shown(*md)}</td>']
             verdicts = [verdict(number, md[0])]
-        rows.append(row(cells, verdicts))
-    return ("<table><tr><th>what</th><th>published</th><th>MD</th><th>continuum</th><th>within</th></tr>" + "".join(rows) + "</table>")
+        rows.append(row(cells, verdicts if judged else []))
+    table = "<table><tr><th>what</th><th>reference</th><th>MD</th><th>continuum</th><th>within</th></tr>" + "".join(rows) + "</table>"
+    if judged:
+        return table + origins(references)
+    return table + '<p class="small">No reference is known for this scene. Phases above 1 belong to the next cycle.</p>'
 
 
 def row(cells, verdicts):
@@ -162,6 +176,8 @@ def cost_table(summary):
 
 
 def figure(module, path):
+    if not isinstance(path, Path):
+        return f"<p>{module.NAME} could not be drawn: {html.escape(path)}.</p>"
     data = base64.b64encode(path.read_bytes()).decode()
     caption = html.escape(module.CAPTION)
     return f'<figure><img alt="{module.NAME}" src="data:image/png;base64,{data}"><figcaption>{caption}</figcaption></figure>'

@@ -5,6 +5,7 @@ Units: sigma, sqrt(sigma/g). Phases are ft in [0, 1). Heights in compare.h5 are 
 """
 import json
 import sys
+import tomllib
 from pathlib import Path
 
 import h5py
@@ -53,7 +54,12 @@ class Run:
             self.plate_height = file["plate/height"][()]
             self.md = Engine(file["md"])
             self.continuum = Engine(file["continuum"])
+            self.scene = tomllib.loads(file["provenance/scene"][()].decode())
         self.summary = json.loads(summary.read_text())
+
+    def is_of(self, scene):
+        """Whether the run's scene agrees with every value of `scene`, a part of a scene as nested tables."""
+        return all(self.scene.get(section, {}).get(key) == value for section, keys in scene.items() for key, value in keys.items())
 
     @property
     def figures(self):

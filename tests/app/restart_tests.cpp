@@ -84,3 +84,24 @@ TEST_CASE("a damaged checkpoint is refused with its reason, and a missing one to
     CHECK(shaken("continuum --resume " + out).code == 66);
     CHECK(shaken("md --resume " + (folder / "nowhere").string()).code == 66);
 }
+
+TEST_CASE("a resumed run refuses a scene that was edited meanwhile") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "a").string();
+    REQUIRE(shaken(engine_command("md", out) + " --max-walltime 0.001").code == 75);
+    REQUIRE(support::shell("sed -i 's/^number = 200/number = 150/' " + out + "/scene.toml").code == 0);
+    const auto result = shaken("md --resume " + out);
+    CHECK(result.code == 65);
+    CHECK_THAT(result.text, Contains("scene.toml:") && Contains("number = 200"));
+}
+
+TEST_CASE("a finished run whose output was damaged writes it again") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "a").string();
+    REQUIRE(shaken(engine_command("continuum", out)).code == 0);
+    const std::string whole = support::content_of(out + "/continuum.h5");
+    std::filesystem::resize_file(out + "/continuum.h5", 5000);
+    CHECK(shaken("continuum --resume " + out).code == 0);
+    CHECK(std::filesystem::file_size(out + "/continuum.h5") >= whole.size() / 2);
+    CHECK(shaken("continuum --resume " + out).code == 0);
+}

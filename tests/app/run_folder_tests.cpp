@@ -31,7 +31,8 @@ TEST_CASE("only one run works in a folder at a time") {
         const FolderLock first(folder.path(), "md");
         CHECK_THROWS_AS(FolderLock(folder.path(), "md"), files::CannotCreate);
         CHECK_NOTHROW(FolderLock(folder.path(), "continuum"));
-        CHECK_NOTHROW(prepare_folder(folder.path(), false));  // a lock is not content
+        CHECK_THROWS_AS(prepare_folder(folder.path(), true), files::CannotCreate);
     }
+    CHECK_NOTHROW(prepare_folder(folder.path(), false));
     CHECK_NOTHROW(FolderLock(folder.path(), "md"));
 }

@@ -19,7 +19,7 @@ struct Result {
 /// A line of shell; its exit code is 128 + signal where one killed it.
 inline Result shell(const std::string& line) {
     Result result;
-    FILE* pipe = ::popen((line + " 2>&1").c_str(), "r");
+    FILE* pipe = ::popen(("{ " + line + "; } 2>&1").c_str(), "r");
     std::array<char, 4096> buffer;
     while (std::fgets(buffer.data(), buffer.size(), pipe)) result.text += buffer.data();
     const int status = ::pclose(pipe);
