@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Trajectories in H5MD 1.1 (de Buyl, Colberg, Hoefling 2014): one file a run, read by MDAnalysis, OVITO and h5py.
+// Trajectories in H5MD 1.1 (de Buyl, Colberg, Hoefling 2014): one file a run, read by MDAnalysis and h5py.
 // Positions, velocities and box edges share one step and time; units are in /parameters/units.
 #pragma once
 
