@@ -69,6 +69,8 @@ int resolve_dimension(const scene::Scene& scene) {
 }
 
 Setup make_setup(const scene::Scene& scene) {
+    if (scene.kind != scene::Kind::layer)
+        throw scene::SceneError({}, "a scene of this kind has no layer; it is run by: shaken continuum");
     if (!scene.initial.file.empty()) {
         throw scene::SceneError({}, "initial.file: the continuum cannot start from a file yet; leave it out");
     }

@@ -14,7 +14,7 @@ std::string Range::text() const {
 }
 
 const std::vector<std::string>& kind_names() {
-    static const std::vector<std::string> names{"layer"};
+    static const std::vector<std::string> names{"layer", "riemann", "piston", "column", "wave"};
     return names;
 }
 
@@ -29,6 +29,17 @@ namespace {
 constexpr Range counts{1.0, 1e9};
 constexpr Range fractions{0.0, 1.0};
 constexpr Range widths{2.0, 1e6};
+
+/// The names that every kind of continuum run has.
+void describe_continuum_choices(Scene& s, ParameterVisitor& v) {
+    v.section("continuum", "granular hydrodynamics");
+    v.choice({"scheme", "", "discretisation"}, s.continuum.scheme);
+    v.choice({"flux", "", "numerical flux"}, s.continuum.flux);
+    v.choice({"limiter", "", "slope limiter"}, s.continuum.limiter);
+    v.choice({"closure", "", "transport coefficients"}, s.continuum.closure);
+    v.choice({"pair_correlation", "", "pair correlation at contact"}, s.continuum.pair_correlation);
+    v.choice({"transport", "", "\"navier_stokes\" or \"inviscid\""}, s.continuum.transport);
+}
 
 void describe_layer(Scene& s, ParameterVisitor& v) {
     v.section("plate", "the oscillating plate, z_p = A (1 - cos 2 pi f t)");
@@ -75,14 +86,8 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"contacts_between_sorts", "", "of each particle, before they are reordered in space; 0: the default"},
              s.md.contacts_between_sorts, {0.0, 1e9});
 
-    v.section("continuum", "granular hydrodynamics");
+    describe_continuum_choices(s, v);
     v.choice({"dimension", "", "\"auto\", 1, 2 or 3"}, s.continuum.dimension);
-    v.choice({"scheme", "", "discretisation"}, s.continuum.scheme);
-    v.choice({"flux", "", "numerical flux"}, s.continuum.flux);
-    v.choice({"limiter", "", "slope limiter"}, s.continuum.limiter);
-    v.choice({"closure", "", "transport coefficients"}, s.continuum.closure);
-    v.choice({"pair_correlation", "", "pair correlation at contact"}, s.continuum.pair_correlation);
-    v.choice({"transport", "", "\"navier_stokes\" or \"inviscid\""}, s.continuum.transport);
     v.optional_number({"restitution", "", "a constant in place of the scene's law"}, s.continuum.restitution,
                       fractions);
     v.number({"spacing", "sigma", "vertical grid spacing"}, s.continuum.spacing, {1e-4, 10.0});
@@ -97,6 +102,58 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"floor_temperature", "g sigma", "least temperature"}, s.continuum.floor_temperature, {0.0, 1.0, true});
 }
 
+void describe_gas(GasState& gas, ParameterVisitor& v) {
+    v.number({"volume_fraction", "", "of the gas"}, gas.volume_fraction, {0.0, 0.64, true});
+    v.number({"velocity", "sqrt(g sigma)", "of the gas, upwards"}, gas.velocity, any_number);
+    v.number({"temperature", "g sigma", "granular temperature"}, gas.temperature, positive);
+}
+
+/// A column of gas that starts from a state with a known future.
+void describe_tube(Scene& s, ParameterVisitor& v) {
+    v.section("tube", "a column of gas whose exact solution is known");
+    v.number({"length", "sigma", "of the tube"}, s.tube.length, positive);
+    v.number({"time", "sqrt(sigma/g)", "how long it is followed"}, s.tube.time, positive);
+    v.number({"restitution", "", "constant e"}, s.tube.restitution, fractions);
+    switch (s.kind) {
+        case Kind::riemann:
+            v.choice({"lower", "", "end: \"open\", \"wall\" or \"periodic\""}, s.tube.lower);
+            v.choice({"upper", "", "end: \"open\", \"wall\" or \"periodic\""}, s.tube.upper);
+            v.section("initial.left", "the gas below the middle");
+            describe_gas(s.tube.left, v);
+            v.section("initial.right", "the gas above the middle");
+            describe_gas(s.tube.right, v);
+            break;
+        case Kind::piston:
+            v.number({"speed", "sqrt(g sigma)", "of the piston, the lower end, into gas at rest"}, s.tube.speed,
+                     positive);
+            v.section("initial", "the gas at rest before the piston");
+            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.64, true});
+            v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
+            break;
+        case Kind::column:
+            v.optional_number({"wall_temperature", "g sigma", "of a heated bottom; without: none, and e must be 1"},
+                              s.tube.wall_temperature, positive);
+            v.section("initial", "gas at rest under gravity");
+            v.number({"volume_fraction", "", "at the bottom (without a heated bottom)"}, s.tube.gas.volume_fraction,
+                     {0.0, 0.64, true});
+            v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
+            v.number({"number_per_area", "1/sigma^2", "particles on a heated bottom"}, s.tube.number_per_area,
+                     positive);
+            break;
+        case Kind::wave:
+            v.section("initial", "gas with a wave of sound of one wavelength");
+            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.64, true});
+            v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
+            v.number({"amplitude", "", "of the density, relative"}, s.tube.amplitude, {0.0, 0.1, true});
+            break;
+        case Kind::layer:
+            break;
+    }
+    describe_continuum_choices(s, v);
+    v.number({"spacing", "sigma", "grid spacing"}, s.continuum.spacing, positive);
+    v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
+}
+
 }  // namespace
 
 void describe(Scene& s, ParameterVisitor& v) {
@@ -106,6 +163,12 @@ void describe(Scene& s, ParameterVisitor& v) {
     switch (s.kind) {
         case Kind::layer:
             describe_layer(s, v);
+            break;
+        case Kind::riemann:
+        case Kind::piston:
+        case Kind::column:
+        case Kind::wave:
+            describe_tube(s, v);
             break;
     }
 }

@@ -63,6 +63,9 @@ class Reader : public ParameterVisitor {
         section_ = name;
         known_[section_];
         // "initial.left" is the section [initial.left], a table inside the table [initial].
+        if (const std::size_t dot = name.find('.'); dot != std::string_view::npos) {
+            known_[std::string(name.substr(0, dot))];
+        }
         keys_ = &table_;
         for (std::size_t from = 0; keys_ && from <= name.size();) {
             const std::size_t dot = std::min(name.find('.', from), name.size());

@@ -26,7 +26,7 @@ struct Choice {
     Place place;
 };
 
-enum class Kind { layer };
+enum class Kind { layer, riemann, piston, column, wave };
 
 struct Plate {
     double acceleration = 3.0;             // Gamma, peak acceleration over g
@@ -51,6 +51,27 @@ struct Initial {
     double noise = 0.0;  // relative amplitude of random density noise (continuum)
     std::uint64_t seed = 1;
     std::string file;
+};
+
+/// Uniform gas, one side of a verification case.
+struct GasState {
+    double volume_fraction = 0.3;
+    double velocity = 0.0;  // in sqrt(g sigma)
+    double temperature = 1.0;
+};
+
+/// A column of gas with an exact solution (the kinds riemann, piston, column and wave; continuum only).
+struct Tube {
+    double length = 10.0;                                 // in sigma
+    double time = 1.0;                                    // in sqrt(sigma/g)
+    double restitution = 1.0;                             // constant e
+    Choice lower{"open", {}}, upper{"open", {}};          // ends (riemann)
+    GasState left{0.4, 0.0, 1.0}, right{0.05, 0.0, 1.0};  // riemann: below and above the middle
+    GasState gas{0.3, 0.0, 1.0};                          // piston, column (at the bottom), wave
+    double speed = 1.0;                                   // of the piston
+    double amplitude = 1e-4;                              // of the wave, relative
+    std::optional<double> wall_temperature;               // of a heated bottom (column)
+    double number_per_area = 1.0;                         // on a heated bottom (column)
 };
 
 struct Sample {
@@ -83,8 +104,8 @@ struct Continuum {
     double lid = 80.0;                  // height above the plate, moving with it
     double cfl = 0.8;
     double artificial_dissipation = 0.1;  // C_AD of the scheme ftcs
-    double floor_density = 1e-7;      // relative to the mean density N / (Lx Ly lid)
-    double floor_temperature = 1e-4;  // in g sigma
+    double floor_density = 1e-7;          // relative to the mean density N / (Lx Ly lid)
+    double floor_temperature = 1e-4;      // in g sigma
 };
 
 struct Scene {
@@ -94,6 +115,7 @@ struct Scene {
     Particles particles;
     Box box;
     Initial initial;
+    Tube tube;
     Sample sample;
     Md md;
     Continuum continuum;

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#include "continuum/exact/gas.hpp"
+
+#include <cmath>
+#include <numbers>
+
+namespace shaken::continuum::exact {
+
+double cooled_temperature(double temperature, double restitution, double contact_rate, double time) {
+    const double rate = 4.0 / std::sqrt(std::numbers::pi) * (1.0 - restitution * restitution) * contact_rate;
+    const double root = 1.0 + rate * std::sqrt(temperature) * time;
+    return temperature / (root * root);
+}
+
+double sound_attenuation(double density, const Transport& transport, double specific_heat_at_constant_pressure) {
+    const double viscous = transport.bulk_viscosity + 4.0 / 3.0 * transport.shear_viscosity;
+    const double thermal = transport.conductivity * (1.0 / 1.5 - 1.0 / specific_heat_at_constant_pressure);
+    return 0.5 * (viscous + thermal) / density;
+}
+
+double isothermal_volume_fraction(const EquationOfState& state, double bottom, double temperature, double height,
+                                  int steps) {
+    const auto slope = [&](double nu) {
+        const double chi = state.pressure(nu, 1.0) / (nu / sphere_volume);
+        // chi + nu dchi/dnu, from c_p = 3/2 + chi^2/(chi + nu dchi/dnu).
+        const double stiffness = chi * chi / (state.specific_heat_at_constant_pressure(nu) - 1.5);
+        return -nu / (temperature * stiffness);
+    };
+    const double h = height / steps;
+    double nu = bottom;
+    for (int i = 0; i < steps; ++i) {
+        const double a = slope(nu), b = slope(nu + 0.5 * h * a), c = slope(nu + 0.5 * h * b), d = slope(nu + h * c);
+        nu += h / 6.0 * (a + 2.0 * b + 2.0 * c + d);
+    }
+    return nu;
+}
+
+double heated_layer_temperature(double bottom_temperature, double number_per_area, double restitution,
+                                double weight_above) {
+    const double a = std::sqrt(64.0 * std::numbers::pi * (1.0 - restitution * restitution) / 75.0);
+    const double ratio = std::cyl_bessel_i(0.0, a * weight_above) / std::cyl_bessel_i(0.0, a * number_per_area);
+    return bottom_temperature * ratio * ratio;
+}
+
+}  // namespace shaken::continuum::exact

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: MIT
+// Exact flows of a uniform or resting gas.
+#pragma once
+
+#include "continuum/closures/equation_of_state.hpp"
+#include "continuum/closures/jenkins_richman.hpp"
+
+namespace shaken::continuum::exact {
+
+/// Haff 1983: T(t) = T / (1 + (4/sqrt(pi)) (1 - e^2) G sqrt(T) t)^2, G = nu g0; the granular temperature of a uniform
+/// gas.
+double cooled_temperature(double temperature, double restitution, double contact_rate, double time);
+
+/// Attenuation of sound of long wavelength in an elastic gas, amplitude ~ exp(-Gamma k^2 t):
+///   Gamma = [ lambda + 4 mu/3 + kappa (1/c_v - 1/c_p) ] / (2 n),   c_v = 3/2    (Landau & Lifshitz 1987, eq. 79.6)
+double sound_attenuation(double density, const Transport& transport, double specific_heat_at_constant_pressure);
+
+/// Volume fraction of an isothermal column at rest under unit gravity, at a height above the bottom: dp/dz = -n at
+/// T constant, so T (chi + nu dchi/dnu) dn = -n dz. Runge-Kutta of fourth order in `steps` steps.
+double isothermal_volume_fraction(const EquationOfState& state, double bottom, double temperature, double height,
+                                  int steps = 2000);
+
+/// Temperature of a dilute layer at rest under unit gravity on a heated bottom, where the weight above is p (particles
+/// per area): sqrt(T(p)) = sqrt(T_b) I0(a p)/I0(a p_b), a^2 = 64 pi (1 - e^2)/75 (from p = n T, kappa and gamma of
+/// Jenkins & Richman 1985 at G -> 0).
+double heated_layer_temperature(double bottom_temperature, double number_per_area, double restitution,
+                                double weight_above);
+
+}  // namespace shaken::continuum::exact

@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: MIT
+#include "continuum/verification.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <complex>
+#include <limits>
+#include <numbers>
+#include <stdexcept>
+
+#include "continuum/closures/closures.hpp"
+#include "continuum/closures/equation_of_state.hpp"
+#include "continuum/exact/gas.hpp"
+#include "continuum/exact/riemann.hpp"
+#include "continuum/method.hpp"
+#include "scene/errors.hpp"
+
+namespace shaken::continuum {
+
+namespace {
+
+using scene::GasState;
+using scene::Kind;
+
+EquationOfState state_of(const scene::Scene& scene) {
+    return make_equation_of_state(scene.continuum.pair_correlation, scene.tube.restitution);
+}
+
+End end_of(const std::string& key, const scene::Choice& choice) {
+    if (choice.name == "open") return End::open;
+    if (choice.name == "wall") return End::wall;
+    if (choice.name == "periodic") return End::periodic;
+    throw scene::unknown_choice(key, choice, {"open", "wall", "periodic"});
+}
+
+Setup empty_tube(const scene::Scene& scene) {
+    Grid grid;
+    grid.nz = std::llround(scene.tube.length / scene.continuum.spacing);
+    grid.dz = scene.tube.length / static_cast<double>(grid.nz);
+    Setup setup(grid);
+    setup.choices = scene.continuum;
+    setup.restitution = scene.tube.restitution;
+    setup.sink = scene::RestitutionConstant{scene.tube.restitution};
+    return setup;
+}
+
+void put(Setup& setup, std::int64_t cell, const GasState& gas) {
+    const auto i = static_cast<std::size_t>(setup.grid.first(0) + cell);
+    setup.flow.density[i] = gas.volume_fraction / sphere_volume;
+    setup.flow.velocity_z[i] = gas.velocity;
+    setup.flow.temperature[i] = gas.temperature;
+}
+
+/// A case: how it starts, and what is known of its end.
+struct Case {
+    Setup setup;
+    std::vector<GasState> exact;  // at the middles of the cells; empty where there is none
+    std::string why_no_exact;
+};
+
+/// Whether the flow obeys Euler's equations; if not, says what keeps it from them.
+std::string departure_from_euler(const scene::Scene& scene) {
+    if (scene.continuum.transport.name != "inviscid")
+        return "the exact solution has continuum.transport = \"inviscid\"";
+    if (scene.tube.restitution < 1.0) return "the exact solution has tube.restitution = 1";
+    return "";
+}
+
+Case riemann(const scene::Scene& scene) {
+    Case c{empty_tube(scene), {}, departure_from_euler(scene)};
+    Setup& setup = c.setup;
+    setup.boundaries.lower.end = end_of("tube.lower", scene.tube.lower);
+    setup.boundaries.upper.end = end_of("tube.upper", scene.tube.upper);
+    if ((setup.boundaries.lower.end == End::periodic) != (setup.boundaries.upper.end == End::periodic))
+        throw scene::SceneError(scene.tube.upper.place,
+                                "tube.lower and tube.upper are periodic together or not at all");
+    const double middle = 0.5 * scene.tube.length;
+    for (std::int64_t i = 0; i < setup.grid.nz; ++i)
+        put(setup, i, setup.grid.centre(i) < middle ? scene.tube.left : scene.tube.right);
+    if (!c.why_no_exact.empty()) return c;
+    const exact::Riemann solution(scene.tube.left, scene.tube.right, state_of(scene));
+    const double reach = 0.5 * scene.tube.length / scene.tube.time;
+    const GasState below = solution.at(-reach), above = solution.at(reach);
+    if (below.volume_fraction != scene.tube.left.volume_fraction ||
+        above.volume_fraction != scene.tube.right.volume_fraction)
+        c.why_no_exact = "a wave has reached an end of the tube";
+    for (std::int64_t i = 0; i < setup.grid.nz; ++i)
+        c.exact.push_back(solution.at((setup.grid.centre(i) - middle) / scene.tube.time));
+    return c;
+}
+
+Case piston(const scene::Scene& scene) {
+    Case c{empty_tube(scene), {}, departure_from_euler(scene)};
+    Setup& setup = c.setup;
+    setup.boundaries.upper.end = End::open;
+    GasState gas = scene.tube.gas;  // in the frame of the piston
+    gas.velocity = -scene.tube.speed;
+    for (std::int64_t i = 0; i < setup.grid.nz; ++i) put(setup, i, gas);
+    if (!c.why_no_exact.empty()) return c;
+    GasState image = gas;
+    image.velocity = scene.tube.speed;
+    const exact::Riemann solution(image, gas, state_of(scene));
+    for (std::int64_t i = 0; i < setup.grid.nz; ++i)
+        c.exact.push_back(solution.at(setup.grid.centre(i) / scene.tube.time));
+    return c;
+}
+
+Case column(const scene::Scene& scene) {
+    Case c{empty_tube(scene), {}, ""};
+    Setup& setup = c.setup;
+    setup.gravity = 1.0;
+    const EquationOfState state = state_of(scene);
+    const double t = scene.tube.gas.temperature;
+    if (!scene.tube.wall_temperature) {
+        for (std::int64_t i = 0; i < setup.grid.nz; ++i) {
+            c.exact.push_back({exact::isothermal_volume_fraction(state, scene.tube.gas.volume_fraction, t,
+                                                                 setup.grid.centre(i), 20 * (1 + static_cast<int>(i))),
+                               0.0, t});
+            put(setup, i, c.exact.back());
+        }
+        return c;
+    }
+    const double heat = *scene.tube.wall_temperature, number = scene.tube.number_per_area;
+    setup.boundaries.lower.temperature = heat;
+    const double lightest = std::exp(-scene.tube.length / t);
+    for (std::int64_t i = 0; i < setup.grid.nz; ++i) {
+        const double from = std::exp(-setup.grid.dz * static_cast<double>(i) / t);
+        const double to = std::exp(-setup.grid.dz * static_cast<double>(i + 1) / t);
+        put(setup, i, {sphere_volume * number * (from - to) / (setup.grid.dz * (1.0 - lightest)), 0.0, t});
+    }
+    c.why_no_exact = "the exact temperature is a function of the weight above";
+    return c;
+}
+
+Case wave(const scene::Scene& scene) {
+    Case c{empty_tube(scene), {}, ""};
+    Setup& setup = c.setup;
+    setup.boundaries.lower.end = setup.boundaries.upper.end = End::periodic;
+    const EquationOfState state = state_of(scene);
+    const GasState gas = scene.tube.gas;
+    const double speed = state.sound_speed(gas.volume_fraction, gas.temperature);
+    const double chi = state.pressure(gas.volume_fraction, 1.0) * sphere_volume / gas.volume_fraction;
+    for (std::int64_t i = 0; i < setup.grid.nz; ++i) {
+        const double crest =
+            scene.tube.amplitude * std::cos(2.0 * std::numbers::pi * setup.grid.centre(i) / scene.tube.length);
+        put(setup, i,
+            {gas.volume_fraction * (1.0 + crest), speed * crest, gas.temperature * (1.0 + 2.0 / 3.0 * chi * crest)});
+    }
+    c.why_no_exact = "the wave is compared by its speed and damping";
+    return c;
+}
+
+Case make_case(const scene::Scene& scene) {
+    switch (scene.kind) {
+        case Kind::riemann:
+            return riemann(scene);
+        case Kind::piston:
+            return piston(scene);
+        case Kind::column:
+            return column(scene);
+        case Kind::wave:
+            return wave(scene);
+        default:
+            throw std::invalid_argument("continuum: this kind of scene has no exact solution");
+    }
+}
+
+struct Inside {
+    std::vector<double> volume_fraction, velocity, temperature;
+};
+Inside inside(const Method& method) {
+    Inside r;
+    for (std::int64_t k = 0; k < method.grid().nz; ++k) {
+        const auto i = static_cast<std::size_t>(method.grid().first(0) + k);
+        r.volume_fraction.push_back(sphere_volume * method.flow().density[i]);
+        r.velocity.push_back(method.flow().velocity_z[i]);
+        r.temperature.push_back(method.flow().temperature[i]);
+    }
+    return r;
+}
+
+void advance(Method& method, double from, double to) {
+    for (double t = from; t < to;) {
+        const double pieces = std::ceil((to - t) / method.longest_step() * (1.0 - 1e-12)), dt = (to - t) / pieces;
+        method.step(t, dt);
+        t = pieces <= 1.0 ? to : t + dt;
+    }
+}
+
+/// Amplitude of one wavelength over the tube.
+std::complex<double> mode(const std::vector<double>& field) {
+    std::complex<double> sum = 0.0;
+    const double cells = static_cast<double>(field.size());
+    for (std::size_t i = 0; i < field.size(); ++i)
+        sum += field[i] * std::polar(1.0, -2.0 * std::numbers::pi * (static_cast<double>(i) + 0.5) / cells);
+    return sum * (2.0 / cells);
+}
+
+double mean_difference(const std::vector<double>& a, const std::vector<double>& b, bool relative) {
+    double difference = 0.0, size = 0.0;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        difference += std::abs(a[i] - b[i]);
+        size += std::abs(b[i]);
+    }
+    return relative ? difference / size : difference / static_cast<double>(a.size());
+}
+
+void check_wave(const scene::Scene& scene, Method& method, Verification& v) {
+    const EquationOfState state = state_of(scene);
+    const double nu = scene.tube.gas.volume_fraction, temperature = scene.tube.gas.temperature;
+    const double k = 2.0 * std::numbers::pi / scene.tube.length;
+    const double speed = state.sound_speed(nu, temperature);
+    const double damping =
+        scene.continuum.transport.name == "inviscid" || scene.tube.restitution < 1.0
+            ? 0.0
+            : exact::sound_attenuation(nu / sphere_volume,
+                                       choose(Closures{}, "continuum.closure", scene.continuum.closure,
+                                              [&](auto closure) {
+                                                  return choose(
+                                                      PairCorrelations{}, "continuum.pair_correlation",
+                                                      scene.continuum.pair_correlation, [&](auto pair) {
+                                                          return decltype(closure)::template transport<decltype(pair)>(
+                                                              nu / sphere_volume, temperature, 1.0);
+                                                      });
+                                              }),
+                                       state.specific_heat_at_constant_pressure(nu));
+    // The wave starts with the eigenvector of an undamped one; what is left of it as two others is gone or small after
+    // a third of the time, and over a whole number of periods a wave the other way leaves no trace in the mean.
+    const double period = scene.tube.length / speed;
+    const double begin = std::max(1.0, std::round(scene.tube.time / (3.0 * period))) * period;
+    const double end = begin + std::max(1.0, std::round((scene.tube.time - begin) / period)) * period;
+    advance(method, 0.0, begin);
+    const std::complex<double> first = mode(inside(method).volume_fraction);
+    constexpr int looks = 16;
+    double turned = 0.0;
+    std::complex<double> last = first;
+    const int parts = looks * static_cast<int>(std::llround((end - begin) / period));
+    for (int i = 1; i <= parts; ++i) {
+        advance(method, begin + (end - begin) * (i - 1) / parts, begin + (end - begin) * i / parts);
+        const std::complex<double> now = mode(inside(method).volume_fraction);
+        turned -= std::arg(now / last);
+        last = now;
+    }
+    v.numbers.push_back({"sound_speed", turned / (k * (end - begin)), speed});
+    v.numbers.push_back({"attenuation", -std::log(std::abs(last / first)) / (k * k * (end - begin)), damping});
+}
+
+void check_heated(const scene::Scene& scene, const Method& method, Verification& v) {
+    if (!scene.tube.wall_temperature) return;
+    const Inside now = inside(method);
+    const double cell = method.grid().dz / sphere_volume;
+    double above = 0.0;
+    for (double nu : now.volume_fraction) above += nu * cell;
+    const double all = above;
+    double worst = 0.0;
+    for (std::size_t i = 0; i < now.temperature.size(); ++i) {
+        above -= now.volume_fraction[i] * cell;
+        const double weight = above + 0.5 * now.volume_fraction[i] * cell;
+        const double known =
+            exact::heated_layer_temperature(*scene.tube.wall_temperature, all, scene.tube.restitution, weight);
+        if (weight > 1e-3 * all) worst = std::max(worst, std::abs(now.temperature[i] / known - 1.0));
+    }
+    v.numbers.push_back({"top_temperature/bottom_temperature", now.temperature.back() / *scene.tube.wall_temperature,
+                         exact::heated_layer_temperature(1.0, all, scene.tube.restitution, 0.0)});
+    v.numbers.push_back({"largest_error_of_temperature", worst, 0.0});
+}
+
+}  // namespace
+
+Verification verify(const scene::Scene& scene) {
+    Case c = make_case(scene);
+    Verification v;
+    v.why_no_exact = c.why_no_exact;
+    const std::unique_ptr<Method> method = make_method(std::move(c.setup));
+    if (scene.kind == Kind::wave)
+        check_wave(scene, *method, v);
+    else
+        advance(*method, 0.0, scene.tube.time);
+    if (scene.kind == Kind::column) check_heated(scene, *method, v);
+    for (std::int64_t i = 0; i < method->grid().nz; ++i) v.height.push_back(method->grid().centre(i));
+    const Inside now = inside(*method);
+    v.volume_fraction = now.volume_fraction;
+    v.velocity = now.velocity;
+    v.temperature = now.temperature;
+    v.steps = method->steps();
+    v.volume_fraction_error = v.velocity_error = v.temperature_error = std::numeric_limits<double>::quiet_NaN();
+    if (!v.why_no_exact.empty()) return v;
+    for (const GasState& gas : c.exact) {
+        v.exact_volume_fraction.push_back(gas.volume_fraction);
+        v.exact_velocity.push_back(gas.velocity);
+        v.exact_temperature.push_back(gas.temperature);
+    }
+    v.volume_fraction_error = mean_difference(v.volume_fraction, v.exact_volume_fraction, true);
+    v.velocity_error = mean_difference(v.velocity, v.exact_velocity, false);
+    v.temperature_error = mean_difference(v.temperature, v.exact_temperature, true);
+    return v;
+}
+
+}  // namespace shaken::continuum

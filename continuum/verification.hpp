@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Runs of the kinds riemann, piston, column and wave, and their distance from the exact solution.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "scene/scene.hpp"
+
+namespace shaken::continuum {
+
+/// One number beside what it should be.
+struct Checked {
+    std::string name;
+    double computed = 0.0, exact = 0.0;
+    double relative_error() const { return exact != 0.0 ? computed / exact - 1.0 : computed; }
+};
+
+struct Verification {
+    std::vector<double> height;                                                    // middles of the cells, sigma
+    std::vector<double> volume_fraction, velocity, temperature;                    // computed
+    std::vector<double> exact_volume_fraction, exact_velocity, exact_temperature;  // empty where none is known
+    std::vector<Checked> numbers;
+    /// Mean over the cells of |computed - exact| / mean of |exact| (velocity: absolute); NaN where none is known.
+    double volume_fraction_error = 0.0, velocity_error = 0.0, temperature_error = 0.0;
+    std::string why_no_exact;  // empty where the profiles have an exact solution
+    std::int64_t steps = 0;
+};
+
+/// Throws scene::SceneError for wrong names, RunFailed where the method fails, std::invalid_argument for a layer.
+Verification verify(const scene::Scene& scene);
+
+}  // namespace shaken::continuum
