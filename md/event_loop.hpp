@@ -40,10 +40,7 @@ class EventLoop final : public Engine {
     void restore(const files::CheckpointReader& in) override;
 
   private:
-    /// What a particle's event is about; a partner below N is another particle.
-    struct Prediction {
-        std::uint32_t partner, stamp;
-    };
+    // What a particle's event is about; a partner below these is another particle.
     static constexpr std::uint32_t leaves_centre = 0xffffffffu, meets_plate = 0xfffffffeu, meets_ceiling = 0xfffffffdu;
 
     void run(double until, std::int64_t last_pair_collision);
@@ -73,7 +70,6 @@ class EventLoop final : public Engine {
     double now_ = 0.0;
     double highest_plate_ = 0.0;  // during this epoch
     PagedVector<Particle> particles_;
-    PagedVector<Prediction> predictions_;
     NeighbourLists neighbours_;
     EventQueue queue_;
     Counters counters_;

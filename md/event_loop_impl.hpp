@@ -50,7 +50,6 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
       cycle_(setup.start.cycle),
       now_(0.0),
       particles_(setup.start.position.size()),
-      predictions_(particles_.size()),
       neighbours_(setup.box, choose_shell(setup), particles_.size()),
       queue_(particles_.size()) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -218,13 +217,12 @@ void EventLoop<Law, Layered>::predict(std::uint32_t i) {
             }
         }
     }
-    predictions_[i] = {partner, partner < meets_ceiling ? particles_[partner].stamp : 0};
-    queue_.schedule(i, now_ + delay);
+    queue_.schedule(i, now_ + delay, {partner, partner < meets_ceiling ? particles_[partner].stamp : 0});
 }
 
 template <class Law, bool Layered>
 void EventLoop<Law, Layered>::process(std::uint32_t i) {
-    const Prediction prediction = predictions_[i];
+    const EventSubject prediction = queue_.subject(i);
     switch (prediction.partner) {
         case meets_plate:
             return collide_with_plate(i);

@@ -47,7 +47,7 @@ Ledger EventLoop<Law, Layered>::ledger() const {
 template <class Law, bool Layered>
 std::int64_t EventLoop<Law, Layered>::memory() const {
     return static_cast<std::int64_t>(particles_.capacity() * sizeof(Particle) +
-                                     predictions_.capacity() * sizeof(Prediction) + neighbours_.bytes() +
+                                     neighbours_.bytes() +
                                      queue_.bytes());
 }
 
@@ -56,9 +56,13 @@ void EventLoop<Law, Layered>::save(files::CheckpointWriter& out) const {
     const std::vector<double> system{box_.x, box_.y, box_.z, period_, static_cast<double>(epochs_)};
     out.put("md.system", system);
     out.put("md.particles", std::span<const Particle>(particles_));
-    out.put("md.predictions", std::span<const Prediction>(predictions_));
     std::vector<double> times(particles_.size());
-    for (std::uint32_t i = 0; i < times.size(); ++i) times[i] = queue_.time(i);
+    std::vector<EventSubject> predictions(particles_.size());
+    for (std::uint32_t i = 0; i < times.size(); ++i) {
+        times[i] = queue_.time(i);
+        predictions[i] = queue_.subject(i);
+    }
+    out.put("md.predictions", predictions);
     out.put("md.event_times", times);
     out.put("md.cycle", cycle_);
     out.put("md.epoch", epoch_);
@@ -83,7 +87,8 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     if (in.take<double>("md.system") != system)
         throw files::Damaged("the checkpoint is of another box, period or number of epochs");
     in.take_into("md.particles", std::span(particles_));
-    in.take_into("md.predictions", std::span(predictions_));
+    std::vector<EventSubject> predictions(particles_.size());
+    in.take_into("md.predictions", std::span(predictions));
     cycle_ = in.take_one<std::int64_t>("md.cycle");
     epoch_ = in.take_one<int>("md.epoch");
     now_ = in.take_one<double>("md.now");
@@ -102,7 +107,7 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     const auto times = in.take<double>("md.event_times");
     if (times.size() != particles_.size()) throw files::Damaged("the checkpoint has events of another system");
     queue_.reset(now_, epoch_end(), 4.0 * static_cast<double>(times.size()));
-    for (std::uint32_t i = 0; i < times.size(); ++i) queue_.schedule(i, times[i]);
+    for (std::uint32_t i = 0; i < times.size(); ++i) queue_.schedule(i, times[i], predictions[i]);
 }
 
 }  // namespace shaken::md

@@ -18,6 +18,11 @@ struct QueuedEvent {
     std::uint32_t owner;
 };
 
+/// What an event is about, in the words of whoever schedules it; kept beside its time.
+struct EventSubject {
+    std::uint32_t partner = 0, stamp = 0;
+};
+
 class EventQueue {
   public:
     explicit EventQueue(std::size_t owners);
@@ -26,10 +31,11 @@ class EventQueue {
     void reset(double start, double horizon, double expected);
 
     /// Sets the owner's event. A time before the last one popped is legal and comes first.
-    void schedule(std::uint32_t owner, double time) {
+    void schedule(std::uint32_t owner, double time, EventSubject subject = {}) {
         unlink(owner);
         Node& node = nodes_[owner];
         node.time = time;
+        node.subject = subject;
         if (!(time <= horizon_)) {
             node.previous = parked;
             return;
@@ -48,13 +54,15 @@ class EventQueue {
     QueuedEvent front();
 
     double time(std::uint32_t owner) const { return nodes_[owner].time; }
+    EventSubject subject(std::uint32_t owner) const { return nodes_[owner].subject; }
     std::size_t owners() const { return nodes_.size(); }
     std::size_t bytes() const;
 
   private:
-    struct Node {
+    struct alignas(32) Node {  // never in two cache lines
         double time;
         std::uint32_t next, previous;
+        EventSubject subject;
     };
     static constexpr std::uint32_t end = 0xffffffffu, in_heap = 0xfffffffeu, parked = 0xfffffffdu;
 
