@@ -46,6 +46,8 @@ void MdRun::advance_and_sample() {
                            l.plate_impulse, n(c.pair_collisions), n(c.plate_collisions), n(c.ceiling_collisions)});
     if (is_frame(now, scene_)) frames_.push_back(snapshot);
     ++next_;
+    // To the end of the last cycle, so that a run ends in the same state however finely it is sampled.
+    if (next_ == samples()) simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0);
 }
 
 void MdRun::save(files::CheckpointWriter& out, const Spent& spent) const {

@@ -63,6 +63,55 @@ TEST_CASE("a killed run resumes from its last checkpoint to the same data") {
     check_equal_data(straight + "/" + engine + ".h5", killed + "/" + engine + ".h5");
 }
 
+TEST_CASE("a run killed at 200 random times loses nothing", "[slow]") {
+    const support::TemporaryFolder folder;
+    const std::string straight = (folder / "straight").string(), killed = (folder / "killed").string();
+    REQUIRE(shaken(engine_command("md", straight) + " --set sample.average=60").code == 0);
+    std::mt19937_64 random(29);
+    int kills = 0, finished = 0;
+    while (kills < 200) {
+        // From the first instants, when nothing is saved yet, to well within the run.
+        const double seconds = 0.002 + 0.15 * static_cast<double>(random()) / static_cast<double>(random.max());
+        const bool begun = std::filesystem::exists(killed + "/md.checkpoint");
+        const std::string command =
+            begun ? "md --resume " + killed : engine_command("md", killed) + " --set sample.average=60";
+        const auto result = support::shell("timeout -s KILL " + std::to_string(seconds) + " " SHAKEN_COMMAND " " +
+                                           command + " --checkpoint-every 0.01");
+        INFO("kill " << kills << " after " << seconds << " s: " << result.text);
+        if (result.code == 0) {
+            check_equal_data(straight + "/md.h5", killed + "/md.h5");
+            std::filesystem::remove_all(killed);
+            ++finished;
+        } else {
+            REQUIRE(result.code == 137);
+            ++kills;
+        }
+    }
+    if (std::filesystem::exists(killed + "/md.checkpoint")) {
+        REQUIRE(shaken("md --resume " + killed).code == 0);
+        check_equal_data(straight + "/md.h5", killed + "/md.h5");
+        ++finished;
+    }
+    CHECK(finished > 0);
+}
+
+TEST_CASE("what is measured, how often and what is saved leave the state's bits alone") {
+    const support::TemporaryFolder folder;
+    const auto state = [&](const std::string& name, const std::string& more) {
+        const auto result = shaken(engine_command("md", (folder / name).string()) + " " + more);
+        INFO(result.text);
+        REQUIRE(result.code == 0);
+        const std::size_t at = result.text.rfind("state ");
+        REQUIRE(at != std::string::npos);
+        return result.text.substr(at + 6, 16);
+    };
+    const std::string usual = state("usual", "");
+    CHECK(state("rare", "--set sample.phases=20 --set sample.frames=0") == usual);
+    CHECK(state("often", "--set sample.phases=400 --set sample.frames=400 --set sample.bin=0.25") == usual);
+    CHECK(state("saved", "--checkpoint-every 0.01") == usual);
+    CHECK(state("other", "--set md.seed=2") != usual);
+}
+
 TEST_CASE("TERM stops with a checkpoint and 75, and the message says how to go on") {
     const support::TemporaryFolder folder;
     const std::string out = (folder / "a").string();
