@@ -53,6 +53,54 @@ void compare_with_multiset(double expected, double horizon, double grid) {
     CHECK(popped > 5000);
 }
 
+/// As an engine uses it: epoch after epoch, each event replaces its owner's and a partner's, and half of all times lie
+/// on a grid, so that many are equal. The queue, a std::multiset and a search of all owners must agree on every event.
+void compare_sequences(std::int64_t events) {
+    constexpr std::uint32_t owners = 200;
+    constexpr double epoch = 4.0, grid = 1.0 / 64.0;
+    md::RandomStream random(31);
+    md::EventQueue queue(owners);
+    std::multiset<std::pair<double, std::uint32_t>> plain;
+    std::vector<double> times(owners, 0.0);
+    double start = 0.0, now = 0.0;
+    const auto later = [&] {
+        const double time = now - std::log1p(-random.uniform());
+        return random.uniform() < 0.5 ? time : std::ceil(time / grid) * grid;
+    };
+    for (std::uint32_t i = 0; i < owners; ++i) plain.insert({times[i] = later(), i});
+    std::int64_t popped = 0, ties = 0;
+    while (popped < events) {
+        queue.reset(start, start + epoch, epoch * owners);
+        for (std::uint32_t i = 0; i < owners; ++i) queue.schedule(i, times[i], {i, 7});
+        start += epoch;
+        while (true) {
+            const md::QueuedEvent first = queue.front();
+            std::uint32_t earliest = 0;
+            for (std::uint32_t i = 1; i < owners; ++i)
+                if (times[i] < times[earliest]) earliest = i;  // of equal ones the first
+            REQUIRE(plain.begin()->first == times[earliest]);
+            REQUIRE(plain.begin()->second == earliest);
+            if (times[earliest] > start) {
+                REQUIRE(first.time == std::numeric_limits<double>::infinity());
+                break;
+            }
+            REQUIRE(first.time == times[earliest]);
+            REQUIRE(first.owner == earliest);
+            REQUIRE(queue.subject(first.owner).partner == earliest);
+            ties += first.time == now;
+            now = first.time;
+            ++popped;
+            const auto partner = static_cast<std::uint32_t>(random.index(owners));
+            for (const std::uint32_t owner : {earliest, partner}) {
+                plain.erase(plain.find({times[owner], owner}));
+                plain.insert({times[owner] = later(), owner});
+                queue.schedule(owner, times[owner], {owner, 7});
+            }
+        }
+    }
+    CHECK(ties > events / 10);
+}
+
 }  // namespace
 
 TEST_CASE("the queue pops what a std::multiset pops, whatever the bucket width") {
@@ -82,4 +130,13 @@ TEST_CASE("an event in the past of the queue comes first") {
     queue.schedule(2, 0.5);
     queue.schedule(0, 0.7);
     CHECK(queue.front().owner == 2);
+}
+
+TEST_CASE(
+    "the queue, a std::multiset and a search of all owners agree on 100,000 events, many of them at equal times") {
+    compare_sequences(100000);
+}
+
+TEST_CASE("the queue, a std::multiset and a search of all owners agree on a million events", "[slow]") {
+    compare_sequences(1000000);
 }
