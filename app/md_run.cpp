@@ -16,10 +16,10 @@ namespace shaken::app {
 namespace {
 
 /// What is recorded at every sample instant, in the order of MdRun::advance_and_sample.
-const std::vector<std::string> columns{"centre_of_mass",  "kinetic_energy",   "potential_energy",  "plate_work",
-                                       "ceiling_work",    "collision_loss",   "plate_loss",        "ceiling_loss",
-                                       "momentum_x",      "momentum_y",       "momentum_z",        "plate_impulse",
-                                       "pair_collisions", "plate_collisions", "ceiling_collisions"};
+const std::vector<std::string> columns{"centre_of_mass", "kinetic_energy",  "rotational_energy", "potential_energy",
+                                       "plate_work",     "ceiling_work",    "collision_loss",    "plate_loss",
+                                       "ceiling_loss",   "momentum_x",      "momentum_y",        "momentum_z",
+                                       "plate_impulse",  "pair_collisions", "plate_collisions",  "ceiling_collisions"};
 
 md::Options options_of(const scene::Scene& scene) {
     return {scene.md.shell, static_cast<int>(scene.md.frames_per_cycle), scene.md.contacts_between_sorts};
@@ -41,9 +41,10 @@ void MdRun::advance_and_sample() {
     for (const auto& position : snapshot.position) height += position[2];
     const auto n = [](std::int64_t count) { return static_cast<double>(count); };
     series_.add(next_, now.time(scene_),
-                std::array{height / n(simulation_.particles()), l.kinetic, l.potential, l.plate_work, l.ceiling_work,
-                           l.collision_loss, l.plate_loss, l.ceiling_loss, l.momentum[0], l.momentum[1], l.momentum[2],
-                           l.plate_impulse, n(c.pair_collisions), n(c.plate_collisions), n(c.ceiling_collisions)});
+                std::array{height / n(simulation_.particles()), l.kinetic, l.rotational, l.potential, l.plate_work,
+                           l.ceiling_work, l.collision_loss, l.plate_loss, l.ceiling_loss, l.momentum[0], l.momentum[1],
+                           l.momentum[2], l.plate_impulse, n(c.pair_collisions), n(c.plate_collisions),
+                           n(c.ceiling_collisions)});
     if (is_frame(now, scene_)) frames_.push_back(snapshot);
     ++next_;
     // To the end of the last cycle, so that a run ends in the same state however finely it is sampled.

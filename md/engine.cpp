@@ -6,10 +6,8 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <variant>
 
 #include "md/errors.hpp"
-#include "md/event_loop.hpp"
 
 namespace shaken::md {
 
@@ -31,12 +29,7 @@ double choose_shell(const Setup& setup) {
 }
 
 std::unique_ptr<Engine> make_engine(const Setup& setup) {
-    return std::visit(
-        [&]<class Law>(const Law& law) -> std::unique_ptr<Engine> {
-            if (setup.box.periodic_z) return std::make_unique<EventLoop<Law, false>>(setup, law);
-            return std::make_unique<EventLoop<Law, true>>(setup, law);
-        },
-        setup.restitution);
+    return setup.friction ? make_frictional_engine(setup) : make_smooth_engine(setup);
 }
 
 }  // namespace shaken::md

@@ -4,9 +4,11 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 
 #include "files/checkpoint.hpp"
 #include "md/audit.hpp"
+#include "md/contact_law.hpp"
 #include "md/simulation.hpp"
 #include "md/snapshot.hpp"
 #include "scene/restitution.hpp"
@@ -37,10 +39,16 @@ struct Setup {
     Box box;
     double period = 1.0;  // of the clock: the plate's, or a uniform system's
     scene::Restitution restitution;
+    std::optional<WaltonFriction> friction;
+    ElasticContacts elastic;
     Snapshot start;
     Options options;
 };
 
 std::unique_ptr<Engine> make_engine(const Setup& setup);
+
+/// The two halves of the table of event loops, compiled apart.
+std::unique_ptr<Engine> make_smooth_engine(const Setup& setup);
+std::unique_ptr<Engine> make_frictional_engine(const Setup& setup);
 
 }  // namespace shaken::md

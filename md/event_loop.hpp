@@ -18,7 +18,8 @@
 
 namespace shaken::md {
 
-/// Law: restitution of every contact. Layered: true with gravity, plate and ceiling; false in a box periodic in z.
+/// Law: what a contact does (md/contact_law.hpp). Layered: true with gravity, plate and ceiling; false in a box
+/// periodic in z.
 template <class Law, bool Layered>
 class EventLoop final : public Engine {
   public:
@@ -55,6 +56,10 @@ class EventLoop final : public Engine {
     double epoch_end() const { return period_ * (epoch_ + 1) / epochs_; }
     void note_contact(ContactEvent::Kind kind, std::uint32_t i, std::uint32_t j);
     void look_for_collapse();
+    /// Time since the latest contact of either before this one, and that they have one now; 0 where nobody asks.
+    double since_last_contact(std::uint32_t i, std::uint32_t j);
+    Vector3 spin(std::uint32_t i) const { return spins_.empty() ? Vector3{} : spins_[particles_[i].id]; }
+    void rub_walls(std::uint32_t i, double normal_velocity, double e, double side, double& loss);
     std::int64_t contacts() const {
         return counters_.pair_collisions + counters_.plate_collisions + counters_.ceiling_collisions;
     }
@@ -70,6 +75,9 @@ class EventLoop final : public Engine {
     double now_ = 0.0;
     double highest_plate_ = 0.0;  // during this epoch
     PagedVector<Particle> particles_;
+    // By particle number, where the law asks for them, else empty.
+    std::vector<Vector3> spins_;
+    std::vector<double> last_contacts_;  // within this cycle, or negative
     NeighbourLists neighbours_;
     EventQueue queue_;
     Counters counters_;
@@ -80,7 +88,7 @@ class EventLoop final : public Engine {
     std::int64_t contacts_at_sort_ = 0;
     std::int64_t events_at_epoch_start_ = 0;
     std::int64_t stall_mark_events_ = 0;
-    std::int64_t stall_mark_pairs_ = 0;
+    std::int64_t stall_mark_pairs_ = 0, short_spells_ = 0;
     double stall_mark_time_ = 0.0, stall_mark_virial_ = 0.0;
 };
 

@@ -31,8 +31,11 @@ inline constexpr double stall_time = 1e-7;
 /// collapsing. In a collapse this path goes to zero while contacts become ever more frequent (McNamara and Young
 /// 1994); spheres of a millimetre are neither round nor rigid to 2 nm. Layers that do not collapse stay far above it:
 /// the shortest paths seen were 3e-4 (ch4, e = 0.8), 4e-4 (e(v) shaken) and 1.3e-5 (e(v), at rest on the plate).
-/// Small deep boxes do collapse at e = 0.8 (420 particles on 6 x 7, ch4 shaking: paths of 1e-8 for millions of contacts).
+/// A periodic box of whole diameters is a trap: a full row of touching spheres has no free path at all (6 x 7).
 inline constexpr double stall_path = 2e-6;
+
+/// So long such paths must last: this many contacts of each particle, and at most fifty times stall_events in all.
+inline constexpr double stall_contacts = 250.0;
 
 /// The widest sum of two half shells: what the options say, or the default, within what the box allows.
 double choose_shell(const Setup& setup);
@@ -57,6 +60,11 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
         const auto& v = setup.start.velocity[i];
         particles_[i] = {r[0], r[1], r[2], v[0], v[1], v[2], 0.0, 0, static_cast<std::uint32_t>(i)};
     }
+    if (Law::frictional && law_.friction.per_inertia > 0.0) {
+        spins_ = setup.start.spin;
+        spins_.resize(particles_.size());
+    }
+    if (Law::remedied) last_contacts_.assign(particles_.size(), -never);
     frame_.gravity = Layered ? 1.0 : 0.0;
     sort_in_space();
     begin_epoch();
@@ -118,6 +126,7 @@ void EventLoop<Law, Layered>::start_next_epoch() {
         now_ = 0.0;
         stall_mark_time_ -= period_;
         for (Particle& p : particles_) p.time = 0.0;
+        for (double& time : last_contacts_) time -= period_;
         if (static_cast<double>(contacts() - contacts_at_sort_) >=
             contacts_between_sorts_ * static_cast<double>(particles_.size()))
             sort_in_space();
@@ -261,7 +270,9 @@ void EventLoop<Law, Layered>::collide(std::uint32_t i, std::uint32_t j) {
     ++p.stamp;
     ++q.stamp;
     if (r_dot_v < 0.0) {  // else grazing, and round-off has already turned it round
-        const PairImpulse impulse = collide_pair(r_dot_v, r_squared, law_);
+        const double since = since_last_contact(i, j);
+        const auto restitution = [&](double speed) { return law_(speed, since); };
+        const PairImpulse impulse = collide_pair(r_dot_v, r_squared, restitution);
         p.velocity_x += impulse.factor * rx;
         p.velocity_y += impulse.factor * ry;
         p.velocity_z += impulse.factor * rz;
@@ -271,6 +282,26 @@ void EventLoop<Law, Layered>::collide(std::uint32_t i, std::uint32_t j) {
         epoch_sums_.collision_loss += impulse.loss;
         epoch_sums_.virial -= impulse.factor * r_squared;
         counters_.deepest_contact = std::max(counters_.deepest_contact, 0.5 * (1.0 - r_squared));
+        if constexpr (Law::frictional) {
+            const double length = std::sqrt(r_squared);
+            const Vector3 n{rx / length, ry / length, rz / length};
+            const Vector3 spin_p = spin(i), spin_q = spin(j);
+            const Vector3 both{spin_p[0] + spin_q[0], spin_p[1] + spin_q[1], spin_p[2] + spin_q[2]};
+            const TangentialImpulse rub = collide_tangentially(n, {-vx, -vy, -vz}, both, restitution(-r_dot_v / length),
+                                                               law_.friction, Partner::sphere);
+            p.velocity_x += rub.velocity[0];
+            p.velocity_y += rub.velocity[1];
+            p.velocity_z += rub.velocity[2];
+            q.velocity_x -= rub.velocity[0];
+            q.velocity_y -= rub.velocity[1];
+            q.velocity_z -= rub.velocity[2];
+            epoch_sums_.collision_loss += rub.loss;
+            if (!spins_.empty())
+                for (std::size_t k = 0; k < 3; ++k) {
+                    spins_[p.id][k] += rub.spin[k];
+                    spins_[q.id][k] += rub.spin[k];
+                }
+        }
     }
     ++counters_.pair_collisions;
     note_contact(ContactEvent::Kind::pair, i, j);
@@ -286,7 +317,11 @@ void EventLoop<Law, Layered>::collide_with_plate(std::uint32_t i) {
         const double before = p.velocity_z + frame_.velocity(now_), plate = box_.plate->velocity(now_);
         // Where the plate falls faster than gravity a slow rebound opens by itself and needs no cut-off.
         const double cut_off = box_.plate->acceleration(now_) > -1.0 ? slowest_rebound : 0.0;
-        const WallImpulse impulse = collide_wall(before, plate, 1.0, law_, cut_off);
+        const double since = since_last_contact(i, i);
+        const auto restitution = [&](double speed) { return law_(speed, since); };
+        const WallImpulse impulse = collide_wall(before, plate, 1.0, restitution, cut_off);
+        if constexpr (Law::frictional)
+            rub_walls(i, before - plate, restitution(std::max(0.0, plate - before)), 1.0, epoch_sums_.plate_loss);
         p.velocity_z += impulse.velocity - before;
         epoch_sums_.plate_work += impulse.work;
         epoch_sums_.plate_loss += impulse.loss;
@@ -304,7 +339,11 @@ void EventLoop<Law, Layered>::collide_with_ceiling(std::uint32_t i) {
         Particle& p = particles_[i];
         p.move_to(now_);
         const double before = p.velocity_z + frame_.velocity(now_);
-        const WallImpulse impulse = collide_wall(before, 0.0, -1.0, law_, 0.0);
+        const double since = since_last_contact(i, i);
+        const auto restitution = [&](double speed) { return law_(speed, since); };
+        const WallImpulse impulse = collide_wall(before, 0.0, -1.0, restitution, 0.0);
+        if constexpr (Law::frictional)
+            rub_walls(i, before, restitution(std::max(0.0, before)), -1.0, epoch_sums_.ceiling_loss);
         p.velocity_z += impulse.velocity - before;
         epoch_sums_.ceiling_work += impulse.work;
         epoch_sums_.ceiling_loss += impulse.loss;
@@ -313,6 +352,30 @@ void EventLoop<Law, Layered>::collide_with_ceiling(std::uint32_t i) {
         note_contact(ContactEvent::Kind::ceiling, i, i);
         predict(i);
     }
+}
+
+template <class Law, bool Layered>
+void EventLoop<Law, Layered>::rub_walls(std::uint32_t i, double normal_velocity, double e, double side, double& loss) {
+    Particle& p = particles_[i];
+    const TangentialImpulse rub = collide_tangentially({0.0, 0.0, -side}, {p.velocity_x, p.velocity_y, normal_velocity},
+                                                       spin(i), e, law_.friction, Partner::wall);
+    p.velocity_x += rub.velocity[0];
+    p.velocity_y += rub.velocity[1];
+    loss += rub.loss;
+    if (!spins_.empty())
+        for (std::size_t k = 0; k < 3; ++k) spins_[p.id][k] += rub.spin[k];
+}
+
+template <class Law, bool Layered>
+double EventLoop<Law, Layered>::since_last_contact([[maybe_unused]] std::uint32_t i, [[maybe_unused]] std::uint32_t j) {
+    if constexpr (Law::remedied) {
+        double& first = last_contacts_[particles_[i].id];
+        double& second = last_contacts_[particles_[j].id];
+        const double since = now_ - std::max(first, second);
+        first = second = now_;
+        return since;
+    }
+    return 0.0;
 }
 
 template <class Law, bool Layered>
@@ -331,19 +394,24 @@ void EventLoop<Law, Layered>::look_for_collapse() {
     // The virial sums (1 + e)/2 times the closing speed; a particle waits N elapsed / (2 pairs) for its next contact.
     const double path =
         (virial - stall_mark_virial_) / pairs * elapsed * static_cast<double>(particles_.size()) / (2.0 * pairs);
-    const bool collapsing = pairs > 0.5 * static_cast<double>(stall_events) && path < stall_path;
-    if (collapsing || elapsed < stall_time) {
+    const bool short_of_path = pairs > 0.5 * static_cast<double>(stall_events) && path < stall_path;
+    const auto enough = std::clamp<std::int64_t>(
+        std::llround(stall_contacts * static_cast<double>(particles_.size()) / static_cast<double>(stall_events)), 1,
+        50);
+    short_spells_ = short_of_path ? short_spells_ + 1 : 0;
+    if (short_spells_ >= enough || elapsed < stall_time) {
         const std::string who =
             last_kind_ == ContactEvent::Kind::pair
                 ? fmt::format("particles {} and {}", particles_[last_first_].id, particles_[last_second_].id)
                 : fmt::format("particle {} and a wall", particles_[last_first_].id);
-        throw Stalled(fmt::format(
-            "md: inelastic collapse in cycle {} at t = {}: {} contacts within a time of {:.3g}, the last between {}. "
-            "Particles lose all relative speed in more and more contacts over shorter and shorter paths. "
-            "Raise particles.restitution, make slow contacts elastic as real ones are, by "
-            "particles.restitution = {{ law = \"velocity\", e0 = ... }}, or choose particles.collapse = "
-            "\"contact_time\" or \"elastic_below\"",
-            cycle_, now_, contacts() - stall_mark_events_, elapsed, who));
+        throw Stalled(
+            fmt::format("md: inelastic collapse in cycle {} at t = {}: the last {} contacts took a time of {:.3g}, the "
+                        "last one between {}. "
+                        "Particles lose all relative speed in more and more contacts over shorter and shorter paths. "
+                        "Raise particles.restitution, make slow contacts elastic as real ones are, by "
+                        "particles.restitution = {{ law = \"velocity\", e0 = ... }}, or choose particles.collapse = "
+                        "\"contact_time\" or \"elastic_below\"",
+                        cycle_, now_, contacts() - stall_mark_events_, elapsed, who));
     }
     stall_mark_events_ = contacts();
     stall_mark_time_ = now_;

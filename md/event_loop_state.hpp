@@ -10,7 +10,7 @@ namespace shaken::md {
 
 template <class Law, bool Layered>
 Snapshot EventLoop<Law, Layered>::snapshot() const {
-    Snapshot shot{cycle_, now_, {}, {}};
+    Snapshot shot{cycle_, now_, {}, {}, spins_};
     shot.position.resize(particles_.size());
     shot.velocity.resize(particles_.size());
     for (Particle p : particles_) {
@@ -32,6 +32,7 @@ Ledger EventLoop<Law, Layered>::ledger() const {
     total.ceiling_loss += epoch_sums_.ceiling_loss;
     total.plate_impulse += epoch_sums_.plate_impulse;
     total.virial += epoch_sums_.virial;
+    for (const Vector3& spin : spins_) total.rotational += 0.125 * sphere_inertia * dot(spin, spin);
     for (Particle p : particles_) {
         p.move_to(now_);
         const double velocity_z = p.velocity_z + frame_.velocity(now_);
@@ -46,9 +47,8 @@ Ledger EventLoop<Law, Layered>::ledger() const {
 
 template <class Law, bool Layered>
 std::int64_t EventLoop<Law, Layered>::memory() const {
-    return static_cast<std::int64_t>(particles_.capacity() * sizeof(Particle) +
-                                     neighbours_.bytes() +
-                                     queue_.bytes());
+    return static_cast<std::int64_t>(particles_.capacity() * sizeof(Particle) + spins_.capacity() * sizeof(Vector3) +
+                                     last_contacts_.capacity() * sizeof(double) + neighbours_.bytes() + queue_.bytes());
 }
 
 template <class Law, bool Layered>
@@ -78,6 +78,9 @@ void EventLoop<Law, Layered>::save(files::CheckpointWriter& out) const {
     out.put("md.stall_mark_time", stall_mark_time_);
     out.put("md.stall_mark_pairs", stall_mark_pairs_);
     out.put("md.stall_mark_virial", stall_mark_virial_);
+    out.put("md.short_spells", short_spells_);
+    if (!spins_.empty()) out.put("md.spins", spins_);
+    if (!last_contacts_.empty()) out.put("md.last_contacts", last_contacts_);
     neighbours_.save(out);
 }
 
@@ -103,6 +106,9 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     stall_mark_time_ = in.take_one<double>("md.stall_mark_time");
     stall_mark_pairs_ = in.take_one<std::int64_t>("md.stall_mark_pairs");
     stall_mark_virial_ = in.take_one<double>("md.stall_mark_virial");
+    short_spells_ = in.take_one<std::int64_t>("md.short_spells");
+    if (!spins_.empty()) in.take_into("md.spins", std::span(spins_));
+    if (!last_contacts_.empty()) in.take_into("md.last_contacts", std::span(last_contacts_));
     neighbours_.restore(in);
     const auto times = in.take<double>("md.event_times");
     if (times.size() != particles_.size()) throw files::Damaged("the checkpoint has events of another system");

@@ -54,12 +54,30 @@ void refuse_overlaps(const Snapshot& start, const Box& box) {
                                       std::max(found.deepest_in_plate, found.deepest_in_ceiling)));
 }
 
+/// Of a scene's particles or of a uniform system: what they say of contacts, in the engine's words.
+template <class Particles>
+Setup contacts_of(const Particles& p) {
+    Setup setup;
+    setup.restitution = p.restitution;
+    using scene::CollapseRemedy, scene::FrictionLaw;
+    if (p.friction.law == FrictionLaw::walton) setup.friction = {p.friction.beta0, p.friction.mu, 1.0 / sphere_inertia};
+    if (p.friction.law == FrictionLaw::walton_without_spin) setup.friction = {p.friction.beta0, p.friction.mu, 0.0};
+    if (p.collapse == CollapseRemedy::elastic_below) setup.elastic.slow = p.collapse_speed;
+    if (p.collapse == CollapseRemedy::contact_time) setup.elastic.soon = p.collapse_time;
+    return setup;
+}
+
 std::unique_ptr<Engine> make_layer(const scene::Scene& scene, Snapshot start, const Options& options) {
     const Box box = box_of(scene);
     start.cycle = 0;
     start.time_in_cycle = 0.0;
     refuse_overlaps(start, box);
-    return make_engine({box, scene.motion.period(), scene.particles.restitution, std::move(start), options});
+    Setup setup = contacts_of(scene.particles);
+    setup.box = box;
+    setup.period = scene.motion.period();
+    setup.start = std::move(start);
+    setup.options = options;
+    return make_engine(setup);
 }
 
 }  // namespace
@@ -76,7 +94,12 @@ Simulation::Simulation(const UniformSystem& system, const Options& options) {
     const Snapshot start =
         make_initial_state({system.particles, system.volume_fraction, system.temperature, system.seed}, box);
     refuse_overlaps(start, box);
-    engine_ = make_engine({box, system.period, system.restitution, start, options});
+    Setup setup = contacts_of(system);
+    setup.box = box;
+    setup.period = system.period;
+    setup.start = start;
+    setup.options = options;
+    engine_ = make_engine(setup);
 }
 
 Simulation::~Simulation() = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Event-driven molecular dynamics of smooth inelastic hard spheres: between collisions every particle flies on its
-// exact path, and the next collision of the whole system is found, never stepped over.
-// Box periodic in x and y, oscillating plate below, fixed ceiling above, gravity 1; or periodic in three directions.
+// Event-driven molecular dynamics of inelastic hard spheres, smooth or frictional: between collisions every particle
+// flies on its exact path, and the next collision of the whole system is found, never stepped over. Box periodic in x
+// and y, oscillating plate below, fixed ceiling above, gravity 1; or periodic in three directions.
 #pragma once
 
 #include <cstdint>

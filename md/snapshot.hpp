@@ -10,17 +10,18 @@ namespace shaken::md {
 
 /// Positions and velocities at one instant, lab frame; the order is the particle's number, the same for a whole run.
 struct Snapshot {
-    std::int64_t cycle = 0;                       // periods of the plate completed
-    double time_in_cycle = 0.0;                   // since the start of that cycle
-    std::vector<std::array<double, 3>> position;  // (N, 3), wrapped into [0, L) along periodic axes
-    std::vector<std::array<double, 3>> velocity;  // (N, 3)
+    std::int64_t cycle = 0;                        // periods of the plate completed
+    double time_in_cycle = 0.0;                    // since the start of that cycle
+    std::vector<std::array<double, 3>> position;   // (N, 3), wrapped into [0, L) along periodic axes
+    std::vector<std::array<double, 3>> velocity;   // (N, 3)
+    std::vector<std::array<double, 3>> spin = {};  // (N, 3), angular velocity; empty where particles do not rotate
 };
 
 /// Energies now, and what each exchange summed to since the start, so that
-/// kinetic + potential = initial + plate_work + ceiling_work - collision_loss - plate_loss - ceiling_loss.
+/// kinetic + rotational + potential = initial + plate_work + ceiling_work - collision_loss - plate_loss - ceiling_loss.
 /// A wall's work is impulse times its velocity; its loss is what restitution takes in the wall's own frame.
 struct Ledger {
-    double kinetic = 0.0, potential = 0.0;
+    double kinetic = 0.0, rotational = 0.0, potential = 0.0;
     double plate_work = 0.0, ceiling_work = 0.0;
     double collision_loss = 0.0, plate_loss = 0.0, ceiling_loss = 0.0;
     std::array<double, 3> momentum{};  // now

@@ -4,7 +4,7 @@
 
 #include <cstdint>
 
-#include "scene/restitution.hpp"
+#include "scene/scene.hpp"
 
 namespace shaken::md {
 
@@ -15,6 +15,9 @@ struct UniformSystem {
     double period = 1.0;           // length of a "cycle": the clock is rebased this often
     std::uint64_t seed = 1;
     scene::Restitution restitution = scene::RestitutionConstant{1.0};
+    scene::Friction friction;
+    scene::CollapseRemedy collapse = scene::CollapseRemedy::none;
+    double collapse_speed = 0.01, collapse_time = 1e-4;
 
     double box_length() const;
 };

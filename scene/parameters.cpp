@@ -23,6 +23,16 @@ const std::vector<std::string>& restitution_law_names() {
     return names;
 }
 
+const std::vector<std::string>& friction_law_names() {
+    static const std::vector<std::string> names{"none", "walton", "walton_without_spin"};
+    return names;
+}
+
+const std::vector<std::string>& collapse_remedy_names() {
+    static const std::vector<std::string> names{"none", "elastic_below", "contact_time"};
+    return names;
+}
+
 namespace {
 
 // Largest counts are those that fit the engines' 32-bit indices with room to spare.
@@ -41,6 +51,24 @@ void describe_continuum_choices(Scene& s, ParameterVisitor& v) {
     v.choice({"transport", "", "\"navier_stokes\" or \"inviscid\""}, s.continuum.transport);
 }
 
+/// What contacts do, in every kind of scene.
+void describe_contacts(Particles& p, ParameterVisitor& v) {
+    v.restitution(
+        {"restitution", "",
+         "a number e in [0, 1], or { law = \"velocity\", e0 = 0.7, v0 = 1 }: 1 - (1 - e0)(v/v0)^(3/4) below v0"},
+        p.restitution);
+    v.friction({"friction", "",
+                "\"none\", or { law = \"walton\", beta0 = 0.35, mu = 0.5 }, or the law \"walton_without_spin\" (MD)"},
+               p.friction);
+    v.remedy({"collapse", "", "remedy of the MD against inelastic collapse: none, elastic_below or contact_time"},
+             p.collapse);
+    v.number({"collapse_speed", "sqrt(g sigma)", "elastic_below: contacts slower than this are elastic"},
+             p.collapse_speed, positive);
+    v.number({"collapse_time", "sqrt(sigma/g)",
+              "contact_time: contacts that follow another of a partner sooner than this are elastic"},
+             p.collapse_time, positive);
+}
+
 void describe_layer(Scene& s, ParameterVisitor& v) {
     v.section("plate", "the oscillating plate, z_p = A (1 - cos 2 pi f t)");
     v.number({"acceleration", "g", "peak acceleration over gravity, Gamma = 4 pi^2 f^2 A"}, s.plate.acceleration,
@@ -48,14 +76,11 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.optional_number({"frequency", "sqrt(g/sigma)", "f; or give frequency_star"}, s.plate.frequency, positive);
     v.optional_number({"frequency_star", "", "f* = f sqrt(H); or give frequency"}, s.plate.frequency_star, positive);
 
-    v.section("particles", "the grains: smooth spheres of diameter 1 and mass 1");
+    v.section("particles", "the grains: spheres of diameter 1 and mass 1");
     v.optional_whole({"number", "", "how many, N; or give depth"}, s.particles.number, counts);
     v.optional_number({"depth", "sigma", "depth as poured, H = 0.9 N/(x y); or give number"}, s.particles.depth,
                       positive);
-    v.restitution(
-        {"restitution", "",
-         "a number e in [0, 1], or { law = \"velocity\", e0 = 0.7, v0 = 1 }: 1 - (1 - e0)(v/v0)^(3/4) below v0"},
-        s.particles.restitution);
+    describe_contacts(s.particles, v);
 
     v.section("box", "the cell: periodic in x and y");
     v.number({"x", "sigma", "width"}, s.box.x, widths);

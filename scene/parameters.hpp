@@ -50,6 +50,8 @@ class ParameterVisitor {
     virtual void choice(const About&, Choice& value) = 0;
     virtual void kind(const About&, Kind& value) = 0;
     virtual void restitution(const About&, Restitution& value) = 0;
+    virtual void friction(const About&, Friction& value) = 0;
+    virtual void remedy(const About&, CollapseRemedy& value) = 0;
 };
 
 /// Shows every parameter of the scene's kind to the visitor. `[scene]` comes first: its kind decides the rest.
@@ -60,5 +62,9 @@ const std::vector<std::string>& kind_names();
 
 /// Names of the restitution laws that a table { law = ... } may ask for.
 const std::vector<std::string>& restitution_law_names();
+
+/// Names of the friction laws and of the remedies against collapse, in the order of their enums.
+const std::vector<std::string>& friction_law_names();
+const std::vector<std::string>& collapse_remedy_names();
 
 }  // namespace shaken::scene

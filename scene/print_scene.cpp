@@ -29,6 +29,13 @@ std::string toml_restitution(const Restitution& law) {
                        written_number(velocity.v0));
 }
 
+std::string toml_friction(const Friction& friction) {
+    const std::string law = toml_text(friction_law_names()[static_cast<std::size_t>(friction.law)]);
+    if (friction.law == FrictionLaw::none) return law;
+    return fmt::format("{{ law = {}, beta0 = {}, mu = {} }}", law, written_number(friction.beta0),
+                       written_number(friction.mu));
+}
+
 /// Writes "key = value", with the words of the declaration behind each line when `explain` is set.
 class Printer : public ParameterVisitor {
   public:
@@ -63,6 +70,10 @@ class Printer : public ParameterVisitor {
              fmt::format("one of {}", fmt::join(kind_names(), ", ")));
     }
     void restitution(const About& a, Restitution& value) override { line(a, toml_restitution(value), ""); }
+    void friction(const About& a, Friction& value) override { line(a, toml_friction(value), ""); }
+    void remedy(const About& a, CollapseRemedy& value) override {
+        line(a, toml_text(collapse_remedy_names()[static_cast<std::size_t>(value)]), "");
+    }
 
   private:
     void line(const About& a, const std::string& value, const std::string& allowed) {

@@ -107,11 +107,7 @@ class Reader : public ParameterVisitor {
     void kind(const About& a, Kind& value) override {
         const toml::node* node = find(a);
         if (!node) return;
-        const Choice name{text_in(*node, full(a.key)), place(*node)};
-        const auto& names = kind_names();
-        const auto found = std::find(names.begin(), names.end(), name.name);
-        if (found == names.end()) throw unknown_choice(full(a.key), name, names);
-        value = static_cast<Kind>(found - names.begin());
+        value = static_cast<Kind>(named(*node, full(a.key), kind_names()));
     }
     void restitution(const About& a, Restitution& value) override {
         const toml::node* node = find(a);
@@ -122,6 +118,38 @@ class Reader : public ParameterVisitor {
             return;
         }
         value = restitution_law(*law, full(a.key), place(*node));
+    }
+    void friction(const About& a, Friction& value) override {
+        const toml::node* node = find(a);
+        if (!node) return;
+        const std::string name = full(a.key);
+        const toml::table* table = node->as_table();
+        if (!table) {
+            value.law = static_cast<FrictionLaw>(named(*node, name, friction_law_names()));
+            if (value.law != FrictionLaw::none)
+                throw SceneError(place(*node),
+                                 fmt::format("{0} needs its numbers: {0} = {{ law = {1}, beta0 = 0.35, mu = 0.5 }}",
+                                             name, described(*node)));
+            return;
+        }
+        static const std::vector<std::string> known{"law", "beta0", "mu"};
+        for (const auto& [key, entry] : *table) {
+            const std::string word(key.str());
+            if (std::find(known.begin(), known.end(), word) == known.end())
+                throw SceneError(place_of(key.source(), sources_),
+                                 fmt::format("{}.{} is unknown; known: {}", name, word, fmt::join(known, ", ")));
+        }
+        for (const std::string& word : known)
+            if (!table->contains(word))
+                throw SceneError(place(*node), fmt::format("{} = {{ ... }} needs {}; known laws: {}", name, word,
+                                                           fmt::join(friction_law_names(), ", ")));
+        value.law = static_cast<FrictionLaw>(named(*table->get("law"), name + ".law", friction_law_names()));
+        value.beta0 = number_in(*table->get("beta0"), name + ".beta0", {-1.0, 1.0});
+        value.mu = number_in(*table->get("mu"), name + ".mu", at_least_zero);
+    }
+    void remedy(const About& a, CollapseRemedy& value) override {
+        if (const toml::node* node = find(a))
+            value = static_cast<CollapseRemedy>(named(*node, full(a.key), collapse_remedy_names()));
     }
 
     /// Throws at the first key that no parameter asked for.
@@ -156,6 +184,14 @@ class Reader : public ParameterVisitor {
         const toml::node* node = keys_ ? keys_->get(about.key) : nullptr;
         if (node) places[full(about.key)] = place(*node);
         return node;
+    }
+    /// Which of the names is written there.
+    std::size_t named(const toml::node& node, const std::string& parameter,
+                      const std::vector<std::string>& names) const {
+        const Choice name{text_in(node, parameter), place(node)};
+        const auto found = std::find(names.begin(), names.end(), name.name);
+        if (found == names.end()) throw unknown_choice(parameter, name, names);
+        return static_cast<std::size_t>(found - names.begin());
     }
     double number_in(const toml::node& node, const std::string& name, const Range& range) const {
         const auto whole = node.value_exact<std::int64_t>();

@@ -7,6 +7,7 @@
 #include <optional>
 #include <string>
 
+#include "scene/friction.hpp"
 #include "scene/plate_motion.hpp"
 #include "scene/restitution.hpp"
 
@@ -38,6 +39,10 @@ struct Particles {
     std::optional<std::int64_t> number;
     std::optional<double> depth;  // H = 0.9 N / (Lx Ly), as poured
     Restitution restitution = RestitutionConstant{};
+    Friction friction;
+    CollapseRemedy collapse = CollapseRemedy::none;
+    double collapse_speed = 0.01;  // of elastic_below
+    double collapse_time = 1e-4;   // of contact_time
 };
 
 struct Box {

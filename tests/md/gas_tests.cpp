@@ -53,14 +53,16 @@ TEST_CASE("inelastic collapse ends the run with the pair, the time and the remed
     }
 }
 
-TEST_CASE("a deep layer of constant restitution 0.6 collapses, one of 0.9 or of e(v) does not") {
+TEST_CASE("a deep layer of constant restitution 0.6 collapses, one of 0.8 or of e(v) does not") {
     auto scene = small::layer(420);  // ten a unit area, as in chapter 4
+    scene.box.x = 6.4;               // not whole diameters, in which a full row of touching spheres has no free path
+    scene.box.y = 6.6;
     scene.motion = scene::PlateMotion::from_acceleration(3.0, 0.095);
     scene.particles.restitution = scene::RestitutionConstant{0.6};
     md::Simulation collapsing(scene);
     CHECK_THROWS_AS(collapsing.advance_to(1, 0.0), md::Stalled);
     CHECK(collapsing.cycle() == 0);  // at the first impact
-    for (const scene::Restitution law : {scene::Restitution(scene::RestitutionConstant{0.9}),
+    for (const scene::Restitution law : {scene::Restitution(scene::RestitutionConstant{0.8}),
                                          scene::Restitution(scene::RestitutionVelocity{0.7, 1.0})}) {
         scene.particles.restitution = law;
         md::Simulation flowing(scene);

@@ -143,6 +143,33 @@ TEST_CASE("wrong values are refused with what is allowed") {
     CHECK_THAT(refusal(with(c.line, c.replacement)), Contains(c.message));
 }
 
+TEST_CASE("friction and the remedy against collapse are read, printed and refused") {
+    const Scene walton = parse_scene(with("restitution = 0.9",
+                                          "restitution = 0.9\nfriction = { law = \"walton\", beta0 = 0.3, mu = 0.2 }\n"
+                                          "collapse = \"contact_time\"\ncollapse_time = 1e-3"),
+                                     "try.toml");
+    CHECK(walton.particles.friction.law == FrictionLaw::walton);
+    CHECK(walton.particles.friction.beta0 == 0.3);
+    CHECK(walton.particles.friction.mu == 0.2);
+    CHECK(walton.particles.collapse == CollapseRemedy::contact_time);
+    CHECK(walton.particles.collapse_time == 1e-3);
+    const std::string printed = print_scene(walton);
+    CHECK(print_scene(parse_scene(printed, "again.toml")) == printed);
+    struct Case {
+        std::string key, message;
+    };
+    const auto c =
+        GENERATE(Case{"friction = \"walton\"", "needs its numbers"},
+                 Case{"friction = { law = \"waltn\", beta0 = 0.3, mu = 0.2 }", "did you mean \"walton\"?"},
+                 Case{"friction = { law = \"walton\", beta0 = 0.3 }", "needs mu"},
+                 Case{"friction = { law = \"walton\", beta0 = 1.3, mu = 0.2 }", "beta0 = 1.3 is outside [-1, 1]"},
+                 Case{"friction = { law = \"walton\", beta0 = 0.3, mu = 0.2, k = 1 }", "known: law, beta0, mu"},
+                 Case{"collapse = \"elastic\"", "known: none, elastic_below, contact_time"},
+                 Case{"collapse_time = 0", "collapse_time = 0 must be greater than 0"});
+    INFO(c.key);
+    CHECK_THAT(refusal(with("restitution = 0.9", "restitution = 0.9\n" + c.key)), Contains(c.message));
+}
+
 TEST_CASE("an unknown key is refused with the nearest known one") {
     CHECK_THAT(refusal(with("acceleration = 3", "aceleration = 3")),
                Contains("try.toml:2:1: plate.aceleration is unknown") && Contains("did you mean acceleration?"));

@@ -1,0 +1,8 @@
+// SPDX-License-Identifier: MIT
+#include "md/event_loop_choice.hpp"
+
+namespace shaken::md {
+
+std::unique_ptr<Engine> make_frictional_engine(const Setup& setup) { return choose_event_loop<true>(setup); }
+
+}  // namespace shaken::md

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: MIT
+// The table of event loops: restitution law, remedy against collapse, kind of walls; friction is chosen by the caller.
+#pragma once
+
+#include <memory>
+#include <variant>
+
+#include "md/event_loop.hpp"
+
+namespace shaken::md {
+
+template <bool Frictional>
+std::unique_ptr<Engine> choose_event_loop(const Setup& setup) {
+    const auto with_law = [&]<class Law>(const Law& law) -> std::unique_ptr<Engine> {
+        if (setup.box.periodic_z) return std::make_unique<EventLoop<Law, false>>(setup, law);
+        return std::make_unique<EventLoop<Law, true>>(setup, law);
+    };
+    const bool remedied = setup.elastic.slow > 0.0 || setup.elastic.soon > 0.0;
+    const WaltonFriction friction = setup.friction.value_or(WaltonFriction{});
+    return std::visit(
+        [&]<class Restitution>(const Restitution& e) {
+            return remedied ? with_law(ContactLaw<Restitution, Frictional, true>{e, friction, setup.elastic})
+                            : with_law(ContactLaw<Restitution, Frictional, false>{e, friction, setup.elastic});
+        },
+        setup.restitution);
+}
+
+}  // namespace shaken::md
