@@ -33,7 +33,7 @@ void for_each_cell(const continuum::Solver& solver, Visit visit) {
 }  // namespace
 
 ContinuumRun::ContinuumRun(const scene::Scene& scene)
-    : scene_(scene), solver_(scene), sampler_(scene), series_(columns) {}
+    : scene_(scene), solver_(scene), sampler_(scene), series_(columns), next_(solver_.phase()) {}
 
 void ContinuumRun::advance_and_sample() {
     const Instant now = instant_of(next_, scene_);

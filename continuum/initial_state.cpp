@@ -9,6 +9,7 @@
 
 #include "continuum/closures/pressure.hpp"
 #include "continuum/ftcs/ftcs.hpp"
+#include "continuum/initial_file.hpp"
 #include "continuum/kernels.hpp"
 #include "scene/errors.hpp"
 
@@ -58,6 +59,51 @@ double share_below_soft_top(double z, double height, double temperature) {
     return z < top ? 1.0 : std::exp((top - z) / temperature);
 }
 
+/// The stored state on this grid, its mass made that of the scene.
+void fill_from_file(Setup& setup, const scene::Scene& scene, const std::vector<double>& factors, double floor,
+                    double packing) {
+    const double instant = scene.initial.phase * static_cast<double>(scene.sample.phases);
+    setup.start_phase = std::llround(instant) % scene.sample.phases;
+    if (std::abs(instant - std::round(instant)) > 1e-9 * static_cast<double>(scene.sample.phases))
+        throw scene::SceneError({}, fmt::format("initial.phase = {} is no sample instant of sample.phases = {}",
+                                                scene.initial.phase, scene.sample.phases));
+    if (setup.start_phase > 0 && scene.sample.settle < 1)
+        throw scene::SceneError({},
+                                "initial.phase above 0 needs sample.settle of at least 1: the first cycle is short");
+    const Grid& grid = setup.grid;
+    const StoredFlow stored = read_flow(scene.initial.file, scene.initial.phase);
+    double sum = 0.0;
+    for (std::int64_t column = 0; column < grid.columns(); ++column)
+        for (std::int64_t iz = 0; iz < grid.nz; ++iz) {
+            const Interpolated at = interpolate(stored, grid, column % grid.nx, column / grid.nx, iz);
+            const auto i = static_cast<std::size_t>(grid.first(column) + iz);
+            setup.flow.density[i] = factors[static_cast<std::size_t>(column)] * at.density;
+            setup.flow.velocity_x[i] = grid.nx > 1 || grid.ny > 1 ? at.velocity_x : 0.0;
+            setup.flow.velocity_y[i] = grid.nx > 1 || grid.ny > 1 ? at.velocity_y : 0.0;
+            setup.flow.velocity_z[i] = at.velocity_z;
+            setup.flow.temperature[i] = std::max(at.temperature, setup.floor_temperature);
+            sum += setup.flow.density[i];
+        }
+    const double stored_number = sum * grid.dz / static_cast<double>(grid.columns());
+    const double share = scene.number_per_area() / stored_number;
+    if (!(share > 0.9 && share < 1.1))
+        throw scene::SceneError({},
+                                fmt::format("initial.file: {} holds {:.5g} particles a unit area below the lid, the "
+                                            "scene has {:.5g}",
+                                            scene.initial.file, stored_number, scene.number_per_area()));
+    double densest = 0.0;
+    for (std::int64_t column = 0; column < grid.columns(); ++column)
+        for (std::int64_t iz = 0; iz < grid.nz; ++iz) {
+            double& n = setup.flow.density[static_cast<std::size_t>(grid.first(column) + iz)];
+            n = std::max(share * n, floor);
+            densest = std::max(densest, n);
+        }
+    if (densest * sphere_volume >= packing)
+        throw scene::SceneError({},
+                                fmt::format("initial.file: volume fraction {:.4g} is not below {}, where {} packs",
+                                            densest * sphere_volume, packing, scene.continuum.pair_correlation.name));
+}
+
 }  // namespace
 
 int resolve_dimension(const scene::Scene& scene) {
@@ -71,9 +117,6 @@ int resolve_dimension(const scene::Scene& scene) {
 Setup make_setup(const scene::Scene& scene) {
     if (scene.kind != scene::Kind::layer)
         throw scene::SceneError({}, "a scene of this kind has no layer; it is run by: shaken continuum");
-    if (!scene.initial.file.empty()) {
-        throw scene::SceneError({}, "initial.file: the continuum cannot start from a file yet; leave it out");
-    }
     const Grid grid = make_grid(scene);
     Setup setup(grid);
     setup.choices = scene.continuum;
@@ -88,6 +131,10 @@ Setup make_setup(const scene::Scene& scene) {
     const double floor = scene.continuum.floor_density * mean_density;
     const double density = scene.initial.volume_fraction / sphere_volume;
     const std::vector<double> factors = column_factors(grid, scene.initial.noise, scene.initial.seed);
+    if (!scene.initial.file.empty()) {
+        fill_from_file(setup, scene, factors, floor, packing);
+        return setup;
+    }
     const double densest = density * *std::max_element(factors.begin(), factors.end());
     if (densest * sphere_volume >= packing)
         throw scene::SceneError(

@@ -14,8 +14,11 @@
 namespace shaken::continuum {
 
 struct Solver::Parts {
-    explicit Parts(const scene::Scene& scene)
-        : method(make_method(make_setup(scene))), period(scene.motion.period()), phases(scene.sample.phases) {}
+    explicit Parts(const scene::Scene& scene) : period(scene.motion.period()), phases(scene.sample.phases) {
+        Setup setup = make_setup(scene);
+        phase = setup.start_phase;
+        method = make_method(std::move(setup));
+    }
 
     double instant(std::int64_t at_phase) const {
         return period * (static_cast<double>(at_phase) / static_cast<double>(phases));

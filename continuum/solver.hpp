@@ -37,7 +37,7 @@ struct Ledger {
 
 class Solver {
   public:
-    /// Builds the scene's initial state at cycle 0, phase 0. Throws scene::SceneError (with the place) for a name of
+    /// Builds the scene's initial state at cycle 0, phase 0 (or initial.phase of a file). Throws scene::SceneError (with the place) for a name of
     /// [continuum] that no table has or values that contradict each other.
     explicit Solver(const scene::Scene& scene);
     ~Solver();

@@ -93,6 +93,8 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"noise", "", "relative amplitude of random density noise (continuum)"}, s.initial.noise, {0.0, 0.5});
     v.seed({"seed", "", "of the random start"}, s.initial.seed);
     v.text({"file", "", "an earlier output to start from"}, s.initial.file);
+    v.number({"phase", "", "ft of the state in that file which the continuum starts from, a sample instant"},
+             s.initial.phase, {0.0, 1.0});
 
     v.section("sample", "when and how fields are measured");
     v.whole({"phases", "", "sample instants a cycle, a multiple of 20"}, s.sample.phases, {20.0, 100000.0});

@@ -56,6 +56,7 @@ struct Initial {
     double noise = 0.0;  // relative amplitude of random density noise (continuum)
     std::uint64_t seed = 1;
     std::string file;
+    double phase = 0.0;  // ft of the state in the file that the continuum starts from and at
 };
 
 /// Uniform gas, one side of a verification case.

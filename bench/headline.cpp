@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: MIT
+// The cell of Bougie 2004, section 3.2.8: 42 x 42, depth 5.4, Gamma 2.2, f* 0.4174, e0 0.7, at dx = dy = 2 and dz =
+// 0.2.
+//   headline time  [--dz 0.2 --dx 2 --lid 25 --cycles 10 --scheme muscl --closure jenkins_richman --cfl 0.8
+//   --gamma 2.2]   ten cycles of the cell, timed headline wave  [the same]   a wave of length 21 and amplitude 1/2 on a
+//   strip of that grid, three cycles
+// A flat layer has no error in z_cm(x, y), so `wave` lifts and lowers a settled layer in flight by cos(2 pi x/21)/2 and
+// prints the amplitude of that mode of z_cm at 20 phases a cycle, as one line of JSON. The wave varies along x only,
+// and so a strip (two dimensions) has the errors of the cell.
+#include <fmt/format.h>
+#include <omp.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdlib>
+#include <ctime>
+#include <map>
+#include <numbers>
+#include <string>
+#include <vector>
+
+#include "continuum/evolution.hpp"
+#include "continuum/initial_state.hpp"
+
+using namespace shaken;
+using namespace shaken::continuum;
+
+namespace {
+
+struct Options {
+    double dx = 2.0, dz = 0.2, lid = 25.0, cfl = 0.8;
+    int cycles = 0;
+    std::string scheme = "muscl", closure = "jenkins_richman";
+    double gamma = 2.2;
+};
+
+scene::Scene cell(const Options& o) {
+    scene::Scene scene;
+    scene.box.x = scene.box.y = 42.0;
+    scene.number_of_particles = 10584;
+    scene.depth = 5.4;
+    scene.motion = scene::PlateMotion::from_acceleration(o.gamma, 0.4174 / std::sqrt(5.4));
+    scene.particles.restitution = scene::RestitutionVelocity{0.7, 1.0};
+    scene.continuum.spacing = o.dz;
+    scene.continuum.spacing_horizontal = o.dx;
+    scene.continuum.lid = o.lid;
+    scene.continuum.cfl = o.cfl;
+    scene.continuum.scheme.name = o.scheme;
+    scene.continuum.closure.name = o.closure;
+    return scene;
+}
+
+constexpr int phases = 20;
+constexpr int settled = 6;        // cycles of one column
+constexpr int seeded_phase = 12;  // ft = 0.6: in flight
+
+/// From sample instant to sample instant, in equal steps, as the solver does.
+void advance(Evolution& evolution, double period, int from, int to) {
+    for (int phase = from; phase < to; ++phase) {
+        const double start = period * (phase % phases) / phases, interval = period / phases;
+        for (double done = 0.0; done < interval;) {
+            const double left = interval - done, pieces = std::ceil(left / evolution.longest_step() * (1.0 - 1e-12));
+            evolution.step(start + done, left / pieces);
+            done = pieces <= 1.0 ? interval : done + left / pieces;
+        }
+    }
+}
+
+/// The settled column under each (x, y), lifted by lift(x).
+template <class Lift>
+Setup seeded(const scene::Scene& scene, int dimension, const Lift& lift) {
+    scene::Scene one = scene;
+    one.continuum.dimension.name = "1";
+    Evolution column(make_setup(one));
+    advance(column, scene.motion.period(), 0, settled * phases + seeded_phase);
+    scene::Scene many = scene;
+    many.continuum.dimension.name = std::to_string(dimension);
+    Setup setup = make_setup(many);
+    const Grid& grid = setup.grid;
+    const std::int64_t nz = grid.nz, source = column.grid().first(0);
+    for (std::int64_t c = 0; c < grid.columns(); ++c) {
+        const double shift = lift((static_cast<double>(c % grid.nx) + 0.5) * grid.dx) / grid.dz;
+        double before = 0.0, after = 0.0;
+        for (std::int64_t i = 0; i < nz; ++i) {
+            const double place = std::clamp(static_cast<double>(i) - shift, 0.0, static_cast<double>(nz - 1));
+            const auto below = std::min<std::int64_t>(static_cast<std::int64_t>(place), nz - 2);
+            const double part = place - static_cast<double>(below);
+            const auto between = [&](const std::vector<double>& field) {
+                const auto k = static_cast<std::size_t>(source + below);
+                return (1.0 - part) * field[k] + part * field[k + 1];
+            };
+            const auto to = static_cast<std::size_t>(grid.first(c) + i);
+            setup.flow.density[to] = between(column.flow().density);
+            setup.flow.velocity_z[to] = between(column.flow().velocity_z);
+            setup.flow.temperature[to] = between(column.flow().temperature);
+            before += column.flow().density[static_cast<std::size_t>(source + i)];
+            after += setup.flow.density[to];
+        }
+        for (std::int64_t i = 0; i < nz; ++i)
+            setup.flow.density[static_cast<std::size_t>(grid.first(c) + i)] *= before / after;
+    }
+    return setup;
+}
+
+/// Amplitude of cos(2 pi x/21) in the height of the centre of mass, over the grid's own sinc so that cell means of
+/// different widths compare.
+double amplitude(const Evolution& evolution) {
+    const Grid& grid = evolution.grid();
+    double sum = 0.0;
+    const double k = 2.0 * std::numbers::pi / 21.0;
+    for (std::int64_t c = 0; c < grid.columns(); ++c) {
+        double mass = 0.0, moment = 0.0;
+        for (std::int64_t i = 0; i < grid.nz; ++i) {
+            const double n = evolution.flow().density[static_cast<std::size_t>(grid.first(c) + i)];
+            mass += n;
+            moment += n * grid.centre(i);
+        }
+        sum += moment / mass * std::cos(k * (static_cast<double>(c % grid.nx) + 0.5) * grid.dx);
+    }
+    return 2.0 * sum / static_cast<double>(grid.columns());
+}
+
+void print_wave(const Options& o) {
+    const scene::Scene scene = cell(o);
+    Evolution evolution(seeded(scene, 2, [](double x) { return 0.5 * std::cos(2.0 * std::numbers::pi * x / 21.0); }));
+    const int cycles = o.cycles > 0 ? o.cycles : 3;
+    std::string amplitudes = fmt::format("{:.6f}", amplitude(evolution));
+    for (int phase = seeded_phase; phase < seeded_phase + cycles * phases; ++phase) {
+        advance(evolution, scene.motion.period(), phase, phase + 1);
+        amplitudes += fmt::format(", {:.6f}", amplitude(evolution));
+    }
+    fmt::print(
+        "{{\"dx\": {}, \"dz\": {}, \"lid\": {}, \"scheme\": \"{}\", \"cfl\": {}, \"steps\": {}, \"amplitude\": "
+        "[{}]}}\n",
+        o.dx, o.dz, o.lid, o.scheme, o.cfl, evolution.steps(), amplitudes);
+}
+
+void print_time(const Options& o) {
+    const scene::Scene scene = cell(o);
+    Evolution evolution(seeded(scene, 3, [](double x) { return 0.5 * std::cos(2.0 * std::numbers::pi * x / 21.0); }));
+    const int cycles = o.cycles > 0 ? o.cycles : 10;
+    const auto begin = std::chrono::steady_clock::now();
+    const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
+    advance(evolution, scene.motion.period(), seeded_phase, seeded_phase + cycles * phases);
+    fmt::print(
+        "{{\"cells\": {}, \"cycles\": {}, \"steps\": {}, \"threads\": {}, \"wall_seconds\": {:.2f}, \"cpu_seconds\": "
+        "{:.2f}, "
+        "\"amplitude\": {:.5f}}}\n",
+        evolution.grid().cells(), cycles, evolution.steps(), omp_get_max_threads(),
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(),
+        static_cast<double>(std::clock()) / CLOCKS_PER_SEC - cpu, amplitude(evolution));
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+    Options o;
+    std::map<std::string, double*> numbers{
+        {"--dx", &o.dx}, {"--dz", &o.dz}, {"--lid", &o.lid}, {"--cfl", &o.cfl}, {"--gamma", &o.gamma}};
+    const std::string what = argc > 1 ? argv[1] : "";
+    for (int i = 2; i + 1 < argc; i += 2) {
+        const std::string key = argv[i];
+        if (const auto found = numbers.find(key); found != numbers.end())
+            *found->second = std::atof(argv[i + 1]);
+        else if (key == "--cycles")
+            o.cycles = std::atoi(argv[i + 1]);
+        else if (key == "--scheme")
+            o.scheme = argv[i + 1];
+        else if (key == "--closure")
+            o.closure = argv[i + 1];
+        else
+            return fmt::print(stderr, "headline: unknown option {}\n", key), 2;
+    }
+    if (what == "time") return print_time(o), 0;
+    if (what == "wave") return print_wave(o), 0;
+    return fmt::print(stderr,
+                      "usage: headline time|wave [--dx --dz --lid --cfl --cycles --scheme --closure --gamma VALUE]\n"),
+           2;
+}

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+// Starts from an earlier state, onto other grids.
+#include <catch2/catch.hpp>
+
+#include <cmath>
+#include <numbers>
+
+#include "continuum/initial_file.hpp"
+
+using namespace shaken;
+
+using namespace continuum;
+
+TEST_CASE("a stored state comes back exactly on its own grid, and to second order on another") {
+    StoredFlow stored;
+    stored.cells = {8, 4, 32};
+    stored.spacing = {1.0, 2.0, 0.5};
+    const auto value = [](double x, double z) {
+        return 1.0 + 0.3 * std::cos(2.0 * std::numbers::pi * x / 8.0) + 0.1 * z;
+    };
+    for (int iz = 0; iz < 32; ++iz)
+        for (int iy = 0; iy < 4; ++iy)
+            for (int ix = 0; ix < 8; ++ix) stored.density.push_back(value(ix + 0.5, 0.5 * (iz + 0.5)));
+    stored.velocity_x = stored.velocity_y = stored.velocity_z = stored.temperature = stored.density;
+    Grid same;
+    same.nx = 8;
+    same.ny = 4;
+    same.nz = 32;
+    same.dy = 2.0;
+    same.dz = 0.5;
+    for (std::int64_t iz = 0; iz < 32; ++iz)
+        for (std::int64_t ix = 0; ix < 8; ++ix)
+            CHECK(interpolate(stored, same, ix, 2, iz).temperature ==
+                  Approx(value(static_cast<double>(ix) + 0.5, same.centre(iz))).epsilon(1e-14));
+    Grid finer = same;
+    finer.nx = 16;
+    finer.dx = 0.5;
+    // Linear interpolation: error h^2/8 of the second derivative, 0.3 (2 pi/8)^2 / 8 = 0.023; exact in z.
+    double worst = 0.0;
+    for (std::int64_t ix = 0; ix < 16; ++ix)
+        worst = std::max(worst, std::abs(interpolate(stored, finer, ix, 0, 7).density -
+                                         value(0.5 * (static_cast<double>(ix) + 0.5), finer.centre(7))));
+    CHECK(worst < 0.023);
+    CHECK(worst > 0.001);
+    // Nothing above what was stored.
+    Grid higher = same;
+    higher.nz = 64;
+    CHECK(interpolate(stored, higher, 3, 1, 60).density == 0.0);
+}
