@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -96,6 +97,8 @@ int run_both(const EngineOptions& options) {
     const FolderLock lock(folder, "run");
     catch_signals();
     const std::array<EngineFiles, 2> files{EngineFiles{folder, "md"}, EngineFiles{folder, "continuum"}};
+    // Both engines share the cores: a thread that waits must not burn what the other engine needs.
+    setenv("OMP_WAIT_POLICY", "passive", 0);
     const std::string self = own_path().string();
     std::array<ChildProcess, 2> children{ChildProcess(self, child_arguments(files[0], options)),
                                          ChildProcess(self, child_arguments(files[1], options))};
