@@ -7,6 +7,10 @@
 #include <cmath>
 #include <utility>
 
+#if defined(__GLIBC__)
+#include <malloc.h>
+#endif
+
 #include "md/engine.hpp"
 #include "md/errors.hpp"
 #include "md/h5md.hpp"
@@ -80,26 +84,39 @@ std::unique_ptr<Engine> make_layer(const scene::Scene& scene, Snapshot start, co
     return make_engine(setup);
 }
 
+/// Making a start takes more memory than the engine keeps, in pieces that the C library would hold on to for the run.
+void give_back_freed_memory() {
+#if defined(__GLIBC__)
+    ::malloc_trim(0);
+#endif
+}
+
 }  // namespace
 
 Simulation::Simulation(const scene::Scene& scene, const Options& options)
-    : Simulation(scene, start_of(scene), options) {}
+    : Simulation(scene, start_of(scene), options) {
+    give_back_freed_memory();
+}
 
 Simulation::Simulation(const scene::Scene& scene, const Snapshot& start, const Options& options)
-    : engine_(make_layer(scene, start, options)) {}
+    : engine_(make_layer(scene, start, options)) {
+    give_back_freed_memory();
+}
 
 Simulation::Simulation(const UniformSystem& system, const Options& options) {
     const double length = system.box_length();
     const Box box{length, length, length, true, std::nullopt};
-    const Snapshot start =
+    Snapshot start =
         make_initial_state({system.particles, system.volume_fraction, system.temperature, system.seed}, box);
     refuse_overlaps(start, box);
     Setup setup = contacts_of(system);
     setup.box = box;
     setup.period = system.period;
-    setup.start = start;
+    setup.start = std::move(start);
     setup.options = options;
     engine_ = make_engine(setup);
+    setup.start = {};
+    give_back_freed_memory();
 }
 
 Simulation::~Simulation() = default;
