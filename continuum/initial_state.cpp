@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <random>
 
 #include "continuum/closures/pressure.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_file.hpp"
 #include "continuum/kernels.hpp"
 #include "scene/errors.hpp"
+#include "scene/random_stream.hpp"
 
 namespace shaken::continuum {
 
@@ -38,15 +38,14 @@ Grid make_grid(const scene::Scene& scene) {
     return grid;
 }
 
-/// One factor a column, mean 1. The generator's 53 upper bits make the number, so it is the same everywhere.
+/// One factor a column, mean 1.
 std::vector<double> column_factors(const Grid& grid, double noise, std::uint64_t seed) {
     std::vector<double> factors(static_cast<std::size_t>(grid.columns()), 1.0);
     if (noise == 0.0 || grid.columns() == 1) return factors;
-    std::mt19937_64 engine(seed);
+    scene::RandomStream random(seed);
     double sum = 0.0;
     for (double& factor : factors) {
-        const double uniform = static_cast<double>(engine() >> 11) * 0x1p-53;
-        factor = 1.0 + noise * (2.0 * uniform - 1.0);
+        factor = 1.0 + noise * random.uniform(-1.0, 1.0);
         sum += factor;
     }
     for (double& factor : factors) factor *= static_cast<double>(factors.size()) / sum;

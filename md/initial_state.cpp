@@ -12,7 +12,7 @@
 
 #include "md/errors.hpp"
 #include "md/neighbour_lists.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 
 namespace shaken::md {
 
@@ -83,7 +83,7 @@ class Disorder {
     }
 
     /// Every particle tries one move, in turn. Returns the share accepted.
-    double sweep(double step, RandomStream& random) {
+    double sweep(double step, scene::RandomStream& random) {
         std::size_t accepted = 0;
         for (std::size_t i = 0; i < centres_.size(); ++i) {
             Vector moved = centres_[i];
@@ -147,7 +147,7 @@ class Disorder {
 };
 
 /// Maxwell velocities with zero total momentum and exactly this temperature.
-std::vector<Vector> maxwell_velocities(std::int64_t particles, double temperature, RandomStream& random) {
+std::vector<Vector> maxwell_velocities(std::int64_t particles, double temperature, scene::RandomStream& random) {
     std::vector<Vector> velocities(static_cast<std::size_t>(particles));
     for (Vector& v : velocities)
         for (double& component : v) component = random.normal();
@@ -173,7 +173,7 @@ std::vector<Vector> maxwell_velocities(std::int64_t particles, double temperatur
 }  // namespace
 
 Snapshot make_initial_state(const InitialState& state, const Box& box) {
-    RandomStream random(state.seed);
+    scene::RandomStream random(state.seed);
     const auto count = static_cast<std::size_t>(state.particles);
     const double material = static_cast<double>(state.particles) * std::numbers::pi / 6.0 / state.volume_fraction;
     Region region{Periodic(box.x), Periodic(box.y), box.periodic_z ? Periodic(box.z) : Periodic(), 0.0, box.z};

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "md/collision_law.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 #include "scene/restitution.hpp"
 
 using namespace shaken;
@@ -15,13 +15,13 @@ using Vector = std::array<double, 3>;
 
 double dot(const Vector& a, const Vector& b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
-Vector random_vector(md::RandomStream& random) { return {random.normal(), random.normal(), random.normal()}; }
+Vector random_vector(scene::RandomStream& random) { return {random.normal(), random.normal(), random.normal()}; }
 
 }  // namespace
 
 TEST_CASE("a collision keeps momentum, reverses the normal velocity times e, and loses (m/4)(1-e^2)(g.n)^2") {
     const double e = GENERATE(0.0, 0.5, 0.9, 1.0);
-    md::RandomStream random(7);
+    scene::RandomStream random(7);
     for (int trial = 0; trial < 1000; ++trial) {
         INFO("restitution " << e << ", trial " << trial);
         Vector n = random_vector(random);
@@ -62,7 +62,7 @@ TEST_CASE("the velocity-dependent law gives slow collisions their restitution") 
 }
 
 TEST_CASE("a moving wall's work less its loss is the gain of kinetic energy") {
-    md::RandomStream random(11);
+    scene::RandomStream random(11);
     for (int trial = 0; trial < 1000; ++trial) {
         const double wall = random.normal(), velocity = wall - std::abs(random.normal());
         const double e = random.uniform();

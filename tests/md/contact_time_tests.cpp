@@ -3,7 +3,7 @@
 #include <cmath>
 
 #include "md/contact_time.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 
 using namespace shaken;
 
@@ -41,7 +41,7 @@ TEST_CASE("touching or overlapping and approaching is now, receding never") {
 }
 
 TEST_CASE("at the predicted time the distance is one diameter to round-off, grazing included") {
-    md::RandomStream random(3);
+    scene::RandomStream random(3);
     int met = 0;
     for (int trial = 0; trial < 20000; ++trial) {
         const double x = random.uniform(1.0, 5.0), y = random.uniform(0.0, 1.0),

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "md/event_queue.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 
 using namespace shaken;
 
@@ -15,7 +15,7 @@ namespace {
 /// Runs the queue beside a std::multiset through random pops and replacements; expected sets the bucket width.
 void compare_with_multiset(double expected, double horizon, double grid) {
     constexpr std::uint32_t owners = 300;
-    md::RandomStream random(13);
+    scene::RandomStream random(13);
     md::EventQueue queue(owners);
     queue.reset(0.0, horizon, expected);
     std::multiset<std::pair<double, std::uint32_t>> plain;
@@ -58,7 +58,7 @@ void compare_with_multiset(double expected, double horizon, double grid) {
 void compare_sequences(std::int64_t events) {
     constexpr std::uint32_t owners = 200;
     constexpr double epoch = 4.0, grid = 1.0 / 64.0;
-    md::RandomStream random(31);
+    scene::RandomStream random(31);
     md::EventQueue queue(owners);
     std::multiset<std::pair<double, std::uint32_t>> plain;
     std::vector<double> times(owners, 0.0);

@@ -6,7 +6,7 @@
 #include "files/checkpoint.hpp"
 #include "md/collision_law.hpp"
 #include "md/friction_law.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 #include "small_systems.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -15,7 +15,7 @@ using md::Vector3;
 
 namespace {
 
-Vector3 random_vector(md::RandomStream& random) { return {random.normal(), random.normal(), random.normal()}; }
+Vector3 random_vector(scene::RandomStream& random) { return {random.normal(), random.normal(), random.normal()}; }
 
 double energy(const Vector3& v, const Vector3& w) {
     return 0.5 * md::dot(v, v) + 0.125 * md::sphere_inertia * md::dot(w, w);
@@ -93,7 +93,7 @@ TEST_CASE("a frictional contact keeps momentum and angular momentum, reverses th
     const double per_inertia = GENERATE(2.5, 0.0);
     const md::WaltonFriction friction{0.35, 0.5, per_inertia};
     const auto partner = GENERATE(md::Partner::sphere, md::Partner::wall);
-    md::RandomStream random(5);
+    scene::RandomStream random(5);
     int sticking = 0, sliding = 0;
     for (int trial = 0; trial < 2000; ++trial) {
         Vector3 n = random_vector(random);

@@ -4,12 +4,12 @@
 
 #include "md/nearest_contact.hpp"
 #include "md/paged_vector.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 
 using namespace shaken;
 
 TEST_CASE("the first contact among neighbours is the plain search's to the last bit, for every length of list") {
-    md::RandomStream random(23);
+    scene::RandomStream random(23);
     const md::Periodic x(8.0), y(9.0), z = GENERATE(md::Periodic(7.0), md::Periodic());
     int met = 0;
     for (int trial = 0; trial < 3000; ++trial) {

@@ -6,13 +6,13 @@
 #include <vector>
 
 #include "md/neighbour_lists.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 
 using namespace shaken;
 
 namespace {
 
-std::vector<md::Particle> scattered(std::size_t count, const md::Box& box, md::RandomStream& random) {
+std::vector<md::Particle> scattered(std::size_t count, const md::Box& box, scene::RandomStream& random) {
     std::vector<md::Particle> particles(count);
     for (md::Particle& p : particles) {
         p.x = random.uniform(0.0, box.x);
@@ -51,7 +51,7 @@ TEST_CASE("neighbour lists equal all pairs after building, moving and shifting")
                                  md::Box{5.0, 6.0, 150.0, false, {}}, md::Box{12.0, 12.0, 12.0, true, {}});
     const double widest = box.y < 3.0 ? 0.1 : box.x < 4.0 ? 0.2 : 0.6;
     constexpr std::size_t count = 200;  // as dense as it comes: lists outgrow their first capacity
-    md::RandomStream random(17);
+    scene::RandomStream random(17);
     auto particles = scattered(count, box, random);
     md::NeighbourLists lists(box, widest, count);
     lists.build(particles);

@@ -7,7 +7,7 @@
 
 #include "md/contact_time.hpp"
 #include "md/plate_contact_time.hpp"
-#include "md/random_stream.hpp"
+#include "scene/random_stream.hpp"
 
 using namespace shaken;
 
@@ -79,7 +79,7 @@ bool agree(const Flight& flight, double until) {
 }  // namespace
 
 TEST_CASE("ten thousand random flights meet the plate where marching meets it, none missed or doubled") {
-    md::RandomStream random(5);
+    scene::RandomStream random(5);
     int met = 0;
     for (int trial = 0; trial < 10000; ++trial) {
         const auto plate =
@@ -95,7 +95,7 @@ TEST_CASE("ten thousand random flights meet the plate where marching meets it, n
 }
 
 TEST_CASE("flights that graze the plate are decided by the sign of their closest gap") {
-    md::RandomStream random(6);
+    scene::RandomStream random(6);
     for (int trial = 0; trial < 3000; ++trial) {
         const double acceleration = random.uniform(1.2, 6.0);
         const auto plate = scene::PlateMotion::from_acceleration(acceleration, random.uniform(0.1, 0.4));

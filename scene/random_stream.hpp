@@ -8,7 +8,7 @@
 #include <numbers>
 #include <random>
 
-namespace shaken::md {
+namespace shaken::scene {
 
 class RandomStream {
   public:
@@ -29,4 +29,4 @@ class RandomStream {
     std::mt19937_64 engine_;
 };
 
-}  // namespace shaken::md
+}  // namespace shaken::scene
