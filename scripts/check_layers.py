@@ -10,8 +10,9 @@ MAY_INCLUDE = {
     "fields": {"scene", "files"},
     "md": {"scene", "files"},
     "continuum": {"scene", "files", "fields"},
+    "swift_hohenberg": {"scene"},
     "compare": {"scene", "files", "fields", "md", "continuum"},
-    "app": {"scene", "files", "fields", "md", "continuum", "compare"},
+    "app": {"scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare"},
 }
 
 
