@@ -18,6 +18,7 @@ template <class T>
 struct PagedAllocator {
     using value_type = T;
     static constexpr std::size_t page = std::size_t{1} << 21;
+    static constexpr std::align_val_t line{alignof(T) > 64 ? alignof(T) : 64};  // small arrays begin a cache line
 
     PagedAllocator() = default;
     template <class U>
@@ -25,7 +26,7 @@ struct PagedAllocator {
 
     T* allocate(std::size_t count) {
         const std::size_t bytes = count * sizeof(T);
-        if (bytes < page / 2) return static_cast<T*>(::operator new (bytes, std::align_val_t{64}));
+        if (bytes < page / 2) return static_cast<T*>(::operator new (bytes, line));
         const std::size_t whole = (bytes + page - 1) / page * page;
         void* const memory = ::operator new (whole, std::align_val_t{page});
 #if defined(__linux__)
@@ -35,7 +36,7 @@ struct PagedAllocator {
     }
     void deallocate(T* memory, std::size_t count) {
         const bool large = count * sizeof(T) >= page / 2;
-        ::operator delete (memory, std::align_val_t{large ? page : 64});
+        ::operator delete (memory, large ? std::align_val_t{page} : line);
     }
     bool operator==(const PagedAllocator&) const = default;
 };
