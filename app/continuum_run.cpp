@@ -127,6 +127,7 @@ void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, 
                           {"temperature", f.temperature}});
     }
     sampler_.moments().write(file, "/profiles");
+    if (sampler_.maps().rows() > 0) sampler_.maps().write(file, "/height_maps");
     series_.write(file);
     file.make_group("/run");
     file.attribute("/run", "wall_seconds", spent.wall);

@@ -14,7 +14,9 @@
 #include "app/compare_command.hpp"
 #include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
+#include "app/patterns_command.hpp"
 #include "app/run_command.hpp"
+#include "app/swift_hohenberg_command.hpp"
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 #include "scene/errors.hpp"
@@ -68,6 +70,31 @@ void add_engine_options(CLI::App& command, EngineOptions& options) {
     });
 }
 
+void add_pattern_options(CLI::App& command, PatternsOptions& options) {
+    command.add_option("DIR", options.folder, "run folder")->required();
+    command.add_option("--phase", options.phase, "ft of the maps looked at; default 0.25");
+    command.add_option("--from", options.first, "first cycle; default: the scene's settling time");
+    command.add_option("--cycles", options.cycles, "how many; default: all that follow")
+        ->check(CLI::Range(1, 1000000000));
+    command.add_flag("--json", options.json, "one line of JSON");
+}
+
+void add_swift_hohenberg_options(CLI::App& command, SwiftHohenbergOptions& options) {
+    auto& p = options.parameters;
+    command.add_option("--control", options.controls, "epsilon; several may be given, separated by commas")
+        ->delimiter(',')
+        ->required();
+    command.add_option("--noise", p.noise, "strength F of the noise; default 0");
+    command.add_option("--points", p.points, "along each side; default 42");
+    command.add_option("--side", p.side, "of the square; default 4 pi, two wavelengths");
+    command.add_option("--step", p.step, "in time; default 0.5");
+    command.add_option("--settle", options.settle, "steps before averaging; default 8000")
+        ->check(CLI::Range(std::int64_t{0}, std::int64_t{1000000000}));
+    command.add_option("--average", options.average, "steps averaged over; default 2000")
+        ->check(CLI::Range(std::int64_t{10}, std::int64_t{1000000000}));
+    command.add_option("--seed", p.seed, "of the noise; default 1");
+}
+
 /// What to say of a mistyped subcommand, of which CLI11 says nothing; empty if there is none.
 std::string unknown_command(const CLI::App& command, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return "";
@@ -109,6 +136,13 @@ int dispatch(int argc, char** argv) {
         command.add_subcommand("compare", "compare what both engines left in a folder: compare.h5, summary.json");
     auto* report = command.add_subcommand("report", "draw the figures and report.html of a compared folder");
     for (CLI::App* sub : {compare, report}) sub->add_option("DIR", folder, "run folder")->required();
+    PatternsOptions patterns_options;
+    auto* patterns = command.add_subcommand("patterns", "size, order and growth of a run's horizontal pattern");
+    add_pattern_options(*patterns, patterns_options);
+    SwiftHohenbergOptions model_options;
+    auto* swift_hohenberg =
+        command.add_subcommand("swift-hohenberg", "steady states of the noisy Swift-Hohenberg equation");
+    add_swift_hohenberg_options(*swift_hohenberg, model_options);
     auto* scene_command = command.add_subcommand("scene", "print the resolved scene, or the list of all keys");
     bool list_keys = false;
     auto* scene_file = scene_command->add_option("SCENE", options.scene_file, "scene file (TOML)");
@@ -166,6 +200,8 @@ int dispatch(int argc, char** argv) {
     if (*bench && *bench_md) code = run_md_bench(md_options);
     if (*bench && *bench_continuum) code = run_continuum_bench(continuum_options);
     if (*compare) code = run_compare(folder);
+    if (*patterns) code = run_patterns(patterns_options);
+    if (*swift_hohenberg) code = run_swift_hohenberg(model_options);
     if (*report) code = run_report(folder);
     if (*scene_command)
         fmt::print("{}", list_keys ? scene::list_parameters()

@@ -96,6 +96,7 @@ void MdRun::write(const std::filesystem::path& path, const Spent& spent, const s
     files::Hdf5File& file = writer.file();
     file.write("/particles/all/phase", phases);
     sampler_.moments().write(file, "/profiles");
+    if (sampler_.maps().rows() > 0) sampler_.maps().write(file, "/height_maps");
     series_.write(file);
     file.make_group("/run");
     file.attribute("/run", "wall_seconds", spent.wall);

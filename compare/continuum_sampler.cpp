@@ -26,14 +26,36 @@ double limited_slope(std::span<const double> values, std::size_t k) {
 
 ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_height)
     : motion_(scene.motion),
-      settle_(scene.sample.settle),
-      average_(scene.sample.average),
+      times_(scene.sample),
       floor_height_(floor_height),
-      moments_(scene_moments(scene)) {}
+      moments_(scene_moments(scene)),
+      maps_(scene_map_grid(scene)) {}
+
+void ContinuumSampler::keep_map(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase) {
+    const double ft = static_cast<double>(phase) / static_cast<double>(times_.phases);
+    const double floor = motion_.position(ft * motion_.period()) + floor_height_;
+    const double side_x = maps_.grid().length_x / static_cast<double>(solver.cells_x());
+    const double side_y = maps_.grid().length_y / static_cast<double>(solver.cells_y());
+    maps_.begin(cycle, ft);
+    for (std::int64_t iy = 0; iy < solver.cells_y(); ++iy) {
+        for (std::int64_t ix = 0; ix < solver.cells_x(); ++ix) {
+            const continuum::ColumnView column = solver.column(ix, iy);
+            double mass = 0.0, moment = 0.0;
+            for (std::size_t k = 0; k < column.density.size(); ++k) {
+                mass += column.density[k];
+                moment += column.density[k] * (static_cast<double>(k) + 0.5) * solver.spacing_z();
+            }
+            maps_.add_rectangle(side_x * static_cast<double>(ix), side_y * static_cast<double>(iy), side_x, side_y,
+                                mass, floor + moment / mass);
+        }
+    }
+    maps_.end();
+}
 
 void ContinuumSampler::sample(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase) {
-    if (cycle < settle_ || cycle >= settle_ + average_) return;
-    moments_.begin_sample(cycle - settle_, phase);
+    if (is_map(times_, phase)) keep_map(solver, cycle, phase);
+    if (cycle < times_.settle || cycle >= times_.settle + times_.average) return;
+    moments_.begin_sample(cycle - times_.settle, phase);
     const double time = static_cast<double>(phase) / static_cast<double>(moments_.phases()) * motion_.period();
     const double plate = motion_.position(time);
     const double plate_velocity = motion_.velocity(time);
@@ -75,8 +97,14 @@ void ContinuumSampler::add_cell(const continuum::ColumnView& column, std::size_t
     }
 }
 
-void ContinuumSampler::save(files::CheckpointWriter& out) const { moments_.save(out, "compare/continuum/"); }
+void ContinuumSampler::save(files::CheckpointWriter& out) const {
+    moments_.save(out, "compare/continuum/");
+    maps_.save(out, "compare/continuum/maps/");
+}
 
-void ContinuumSampler::restore(const files::CheckpointReader& in) { moments_.restore(in, "compare/continuum/"); }
+void ContinuumSampler::restore(const files::CheckpointReader& in) {
+    moments_.restore(in, "compare/continuum/");
+    maps_.restore(in, "compare/continuum/maps/");
+}
 
 }  // namespace shaken::compare

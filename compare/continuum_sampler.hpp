@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "continuum/solver.hpp"
+#include "fields/height_maps.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/checkpoint.hpp"
 #include "scene/scene.hpp"
@@ -26,15 +27,19 @@ class ContinuumSampler {
     void restore(const files::CheckpointReader& in);
 
     const fields::PhaseMoments& moments() const { return moments_; }
+    /// Of every cycle from the start; empty unless the scene asks for maps.
+    const fields::HeightMaps& maps() const { return maps_; }
 
   private:
+    void keep_map(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase);
     void add_cell(const continuum::ColumnView& column, std::size_t k, double lower, double dz, double plate_velocity,
                   double area_share);
 
     scene::PlateMotion motion_;
-    std::int64_t settle_, average_;
+    scene::Sample times_;
     double floor_height_;
     fields::PhaseMoments moments_;
+    fields::HeightMaps maps_;
 };
 
 }  // namespace shaken::compare

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 
+#include "fields/height_maps.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/checkpoint.hpp"
 #include "md/observer.hpp"
@@ -19,6 +20,11 @@ fields::Bins scene_bins(const scene::Scene& scene);
 /// Empty sums for a scene: its phases, bins, area, cycles averaged over, in at most ten blocks.
 fields::PhaseMoments scene_moments(const scene::Scene& scene);
 
+/// The horizontal bins of a scene's maps, as wide as [sample] map_bin as nearly as whole bins can be; none without it.
+fields::HorizontalGrid scene_map_grid(const scene::Scene& scene);
+/// Whether a map is kept at this sample instant.
+bool is_map(const scene::Sample& sample, std::int64_t phase);
+
 class MdSampler : public md::Observer {
   public:
     explicit MdSampler(const scene::Scene& scene);
@@ -29,11 +35,14 @@ class MdSampler : public md::Observer {
     void restore(const files::CheckpointReader& in) override;
 
     const fields::PhaseMoments& moments() const { return moments_; }
+    /// Of every cycle from the start; empty unless the scene asks for maps.
+    const fields::HeightMaps& maps() const { return maps_; }
 
   private:
     scene::PlateMotion motion_;
-    std::int64_t settle_, average_;
+    scene::Sample times_;
     fields::PhaseMoments moments_;
+    fields::HeightMaps maps_;
 };
 
 }  // namespace shaken::compare

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "continuum/closures/pressure.hpp"
 #include "continuum/ftcs/ftcs.hpp"
@@ -38,14 +39,20 @@ Grid make_grid(const scene::Scene& scene) {
     return grid;
 }
 
-/// One factor a column, mean 1.
-std::vector<double> column_factors(const Grid& grid, double noise, std::uint64_t seed) {
+/// One factor a column, mean 1: noise and one wave.
+std::vector<double> column_factors(const Grid& grid, const scene::Initial& initial) {
     std::vector<double> factors(static_cast<std::size_t>(grid.columns()), 1.0);
-    if (noise == 0.0 || grid.columns() == 1) return factors;
-    scene::RandomStream random(seed);
+    if (!initial.uneven() || grid.columns() == 1) return factors;
+    scene::RandomStream random(initial.seed);
+    const double turn_x = static_cast<double>(initial.wave_x) / static_cast<double>(grid.nx);
+    const double turn_y = static_cast<double>(initial.wave_y) / static_cast<double>(grid.ny);
     double sum = 0.0;
-    for (double& factor : factors) {
-        factor = 1.0 + noise * random.uniform(-1.0, 1.0);
+    for (std::int64_t column = 0; column < grid.columns(); ++column) {
+        const double turns = turn_x * (static_cast<double>(column % grid.nx) + 0.5) +
+                             turn_y * (static_cast<double>(column / grid.nx) + 0.5);
+        double& factor = factors[static_cast<std::size_t>(column)];
+        factor =
+            1.0 + initial.noise * random.uniform(-1.0, 1.0) + initial.wave * std::cos(2.0 * std::numbers::pi * turns);
         sum += factor;
     }
     for (double& factor : factors) factor *= static_cast<double>(factors.size()) / sum;
@@ -109,7 +116,7 @@ int resolve_dimension(const scene::Scene& scene) {
     const scene::Choice& choice = scene.continuum.dimension;
     if (choice.name == "1" || choice.name == "2" || choice.name == "3") return choice.name[0] - '0';
     if (choice.name != "auto") throw scene::unknown_choice("continuum.dimension", choice, {"auto", "1", "2", "3"});
-    if (scene.initial.noise == 0.0) return 1;
+    if (!scene.initial.uneven()) return 1;
     return std::min(scene.box.x, scene.box.y) < 2.0 * scene.depth ? 2 : 3;
 }
 
@@ -129,7 +136,7 @@ Setup make_setup(const scene::Scene& scene) {
     const double mean_density = scene.number_per_area() / scene.continuum.lid;
     const double floor = scene.continuum.floor_density * mean_density;
     const double density = scene.initial.volume_fraction / sphere_volume;
-    const std::vector<double> factors = column_factors(grid, scene.initial.noise, scene.initial.seed);
+    const std::vector<double> factors = column_factors(grid, scene.initial);
     if (!scene.initial.file.empty()) {
         fill_from_file(setup, scene, factors, floor, packing);
         return setup;

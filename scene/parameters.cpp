@@ -91,6 +91,9 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"volume_fraction", "", "of the layer at the start"}, s.initial.volume_fraction, {0.0, 0.6, true});
     v.number({"temperature", "g sigma", "granular temperature at the start"}, s.initial.temperature, positive);
     v.number({"noise", "", "relative amplitude of random density noise (continuum)"}, s.initial.noise, {0.0, 0.5});
+    v.number({"wave", "", "relative amplitude of one cosine wave of density (continuum)"}, s.initial.wave, {0.0, 0.5});
+    v.whole({"wave_x", "", "its waves along the box's side x"}, s.initial.wave_x, {0.0, 10000.0});
+    v.whole({"wave_y", "", "its waves along the box's side y"}, s.initial.wave_y, {0.0, 10000.0});
     v.seed({"seed", "", "of the random start"}, s.initial.seed);
     v.text({"file", "", "an earlier output to start from"}, s.initial.file);
     v.number({"phase", "", "ft of the state in that file which the continuum starts from, a sample instant"},
@@ -103,6 +106,10 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"bin", "sigma", "height of a bin of the profiles"}, s.sample.bin, {0.01, 100.0});
     v.whole({"frames", "", "whole states kept of the last cycle, at equal phases; a divisor of phases, 0 for none"},
             s.sample.frames, {0.0, 100000.0});
+    v.whole({"maps", "", "maps of z_cm(x, y) kept of every cycle, at equal phases; a divisor of phases"},
+            s.sample.maps, {1.0, 100000.0});
+    v.number({"map_bin", "sigma", "width of a bin of these maps; 0: no maps are kept"}, s.sample.map_bin,
+             {0.0, 1000.0});
 
     v.section("md", "event-driven molecular dynamics");
     v.seed({"seed", "", "of positions and velocities at the start"}, s.md.seed);

@@ -31,6 +31,14 @@ class Resolver {
             fail("sample.frames", fmt::format("sample.frames = {} does not divide sample.phases = {}", s_.sample.frames,
                                               s_.sample.phases));
         }
+        if (s_.sample.phases % s_.sample.maps != 0) {
+            fail("sample.maps", fmt::format("sample.maps = {} does not divide sample.phases = {}", s_.sample.maps,
+                                            s_.sample.phases));
+        }
+        if (s_.sample.map_bin > std::min(s_.box.x, s_.box.y)) {
+            fail("sample.map_bin", fmt::format("sample.map_bin = {} is wider than the box, {} x {}", s_.sample.map_bin,
+                                               s_.box.x, s_.box.y));
+        }
         sizes();
         if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
             fail("continuum.spacing",
@@ -107,7 +115,7 @@ class Resolver {
                              s_.sample.phases, bins, s_.sample.average, 1e-9 * profiles, 1e-9 * largest));
         }
         const double columns =
-            s_.continuum.dimension.name == "1" || (s_.continuum.dimension.name == "auto" && s_.initial.noise == 0.0)
+            s_.continuum.dimension.name == "1" || (s_.continuum.dimension.name == "auto" && !s_.initial.uneven())
                 ? 1.0
                 : s_.box.x * s_.box.y / (s_.continuum.spacing_horizontal * s_.continuum.spacing_horizontal);
         const double cells = columns * s_.continuum.lid / s_.continuum.spacing;

@@ -53,10 +53,15 @@ struct Box {
 struct Initial {
     double volume_fraction = 0.3;
     double temperature = 1.0;
-    double noise = 0.0;  // relative amplitude of random density noise (continuum)
+    double noise = 0.0;                   // relative amplitude of random density noise (continuum)
+    double wave = 0.0;                    // relative amplitude of a cosine wave of density (continuum)
+    std::int64_t wave_x = 1, wave_y = 0;  // its waves along each side of the box
     std::uint64_t seed = 1;
     std::string file;
     double phase = 0.0;  // ft of the state in the file that the continuum starts from and at
+
+    /// Whether the continuum's start differs from column to column.
+    bool uneven() const { return noise > 0.0 || wave > 0.0; }
 };
 
 /// Uniform gas, one side of a verification case.
@@ -86,6 +91,8 @@ struct Sample {
     std::int64_t average = 50;  // cycles averaged over
     double bin = 0.5;           // height of a bin, in sigma
     std::int64_t frames = 20;   // whole states kept of the last cycle, at equal phases; 0: none
+    std::int64_t maps = 4;      // maps of z_cm(x, y) kept of every cycle, at equal phases
+    double map_bin = 0.0;       // width of their bins, in sigma; 0: no maps
 };
 
 struct Md {

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: MIT
+#include "compare/patterns/floquet.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace shaken::compare {
+
+CoherentPart coherent_part(std::span<const std::int64_t> cycles, std::span<const Amplitude> amplitudes) {
+    constexpr std::size_t most_blocks = 10;
+    CoherentPart part;
+    const auto signed_amplitude = [&](std::size_t i) { return cycles[i] % 2 == 0 ? amplitudes[i] : -amplitudes[i]; };
+    const std::size_t count = amplitudes.size();
+    for (std::size_t i = 0; i < count; ++i) part.mean += signed_amplitude(i) / static_cast<double>(count);
+    const std::size_t blocks = std::min(most_blocks, count / 2);
+    if (blocks < 2) {
+        part.error = std::nan("");
+        return part;
+    }
+    const std::size_t length = count / blocks / 2 * 2;  // even, so that what does not alternate cancels
+    double squares = 0.0;
+    std::vector<Amplitude> means(blocks);
+    Amplitude mean = 0.0;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        for (std::size_t i = b * length; i < (b + 1) * length; ++i)
+            means[b] += signed_amplitude(i) / static_cast<double>(length);
+        mean += means[b] / static_cast<double>(blocks);
+    }
+    for (const Amplitude& block : means) squares += std::norm(block - mean);
+    part.error = std::sqrt(squares / (static_cast<double>(blocks) * static_cast<double>(blocks - 1)));
+    return part;
+}
+
+Amplitude multiplier(std::span<const Amplitude> amplitudes) {
+    if (amplitudes.size() < 2) throw std::invalid_argument("a multiplier needs two cycles");
+    // The logarithm is taken around -1, where the waves of interest lie, so that its cut is far from them.
+    Amplitude sum = 0.0;
+    for (std::size_t i = 1; i < amplitudes.size(); ++i) sum += std::log(-amplitudes[i] / amplitudes[i - 1]);
+    return -std::exp(sum / static_cast<double>(amplitudes.size() - 1));
+}
+
+double onset(std::span<const double> controls, std::span<const double> multipliers) {
+    for (std::size_t i = 1; i < controls.size(); ++i) {
+        const double before = std::log(multipliers[i - 1]), after = std::log(multipliers[i]);
+        if (before < 0.0 && after >= 0.0)
+            return controls[i - 1] - before * (controls[i] - controls[i - 1]) / (after - before);
+    }
+    return std::nan("");
+}
+
+}  // namespace shaken::compare

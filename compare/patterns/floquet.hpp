@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+// What one plane wave does from cycle to cycle, seen once a cycle at one phase: the part that alternates, as a pattern
+// at half the plate's frequency does, and the factor by which a small wave grows.
+#pragma once
+
+#include <complex>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace shaken::compare {
+
+using Amplitude = std::complex<double>;
+
+/// The mean of (-1)^cycle a and its standard error (of the modulus, from at most ten blocks of an even number of
+/// cycles). Noise alone gives a mean of the size of its error.
+struct CoherentPart {
+    Amplitude mean;
+    double error = 0.0;
+};
+
+/// cycles and amplitudes: one each, in order. The error is NaN for fewer than four cycles.
+CoherentPart coherent_part(std::span<const std::int64_t> cycles, std::span<const Amplitude> amplitudes);
+
+/// The multiplier mu of a(c + 1) = mu a(c) over cycles that follow one another, as the geometric mean of the ratios, so
+/// that each cycle weighs alike however much the wave grows: -|mu| for one at half the plate's frequency. Throws
+/// std::invalid_argument for fewer than two.
+Amplitude multiplier(std::span<const Amplitude> amplitudes);
+
+/// Where |multiplier| crosses 1, by linear interpolation of its logarithm in the control (the plate's acceleration);
+/// NaN where it does not. Controls ascend.
+double onset(std::span<const double> controls, std::span<const double> multipliers);
+
+}  // namespace shaken::compare

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: MIT
+#include "compare/patterns/pattern_summary.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numeric>
+#include <stdexcept>
+
+#include "compare/jackknife.hpp"
+#include "compare/patterns/floquet.hpp"
+
+namespace shaken::compare {
+
+namespace {
+
+/// The maps of a window as amplitudes: [map][wave].
+struct Observed {
+    std::vector<std::int64_t> cycles;
+    std::vector<std::vector<Amplitude>> amplitudes;
+    std::vector<double> mean_height;
+
+    std::vector<Amplitude> of_wave(std::size_t wave) const {
+        std::vector<Amplitude> series;
+        for (const auto& map : amplitudes) series.push_back(map[wave]);
+        return series;
+    }
+};
+
+Observed observe(const fields::HeightMaps& maps, const PatternWindow& window, MapTransform& transform) {
+    Observed seen;
+    for (const std::size_t row : maps.rows_at(window.phase, window.first)) {
+        if (maps.cycle(row) >= window.first + window.cycles) break;
+        const std::vector<double> map = maps.row(row);
+        seen.cycles.push_back(maps.cycle(row));
+        seen.amplitudes.push_back(transform.amplitudes(map));
+        seen.mean_height.push_back(std::accumulate(map.begin(), map.end(), 0.0) / static_cast<double>(map.size()));
+    }
+    return seen;
+}
+
+PowerSpectrum spectrum_of(const Observed& seen, const MapTransform& transform, std::size_t from, std::size_t to) {
+    PowerSpectrum spectrum(transform);
+    for (std::size_t i = 0; i < seen.amplitudes.size(); ++i)
+        if (i < from || i >= to) spectrum.add(seen.amplitudes[i]);
+    return spectrum;
+}
+
+/// A function of the mean spectrum with the error that leaving out blocks of cycles gives.
+Measure measure(const Observed& seen, const MapTransform& transform,
+                const std::function<double(const PowerSpectrum&)>& quantity) {
+    const std::size_t count = seen.amplitudes.size(), blocks = std::min<std::size_t>(10, count);
+    std::vector<double> without;
+    if (blocks > 1)
+        for (std::size_t b = 0; b < blocks; ++b)
+            without.push_back(quantity(spectrum_of(seen, transform, b * count / blocks, (b + 1) * count / blocks)));
+    return {quantity(spectrum_of(seen, transform, 0, 0)), jackknife_error(without)};
+}
+
+}  // namespace
+
+PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWindow& window, std::size_t strongest) {
+    MapTransform transform(maps.grid());
+    const Observed seen = observe(maps, window, transform);
+    if (seen.cycles.empty()) throw std::invalid_argument("no map at this phase in these cycles");
+    const PowerSpectrum spectrum = spectrum_of(seen, transform, 0, 0);
+
+    PatternSummary summary;
+    summary.window = window;
+    summary.maps = spectrum.maps();
+    summary.mean_square = measure(seen, transform, [](const PowerSpectrum& s) { return s.mean_square(); });
+    summary.order = measure(seen, transform, [](const PowerSpectrum& s) { return s.order(); });
+    const double height = std::accumulate(seen.mean_height.begin(), seen.mean_height.end(), 0.0) /
+                          static_cast<double>(seen.mean_height.size());
+    summary.relative_mean_square = {summary.mean_square.value / (height * height),
+                                    summary.mean_square.error / (height * height)};
+    summary.wavelength = spectrum.dominant_wavelength();
+    summary.angle = spectrum.angle();
+
+    double coherent = 0.0;
+    std::vector<CoherentPart> parts;
+    for (std::size_t w = 0; w < transform.waves().size(); ++w) {
+        parts.push_back(coherent_part(seen.cycles, seen.of_wave(w)));
+        const CoherentPart& part = parts.back();
+        coherent += transform.waves()[w].share * (std::norm(part.mean) - part.error * part.error);
+    }
+    summary.coherent_share = coherent / summary.mean_square.value;
+
+    const std::vector<double> power = spectrum.power();
+    std::vector<std::size_t> by_power(power.size());
+    std::iota(by_power.begin(), by_power.end(), std::size_t{0});
+    std::stable_sort(by_power.begin(), by_power.end(), [&](auto a, auto b) { return power[a] > power[b]; });
+    by_power.resize(std::min(strongest, by_power.size()));
+    for (const std::size_t w : by_power) {
+        WaveSummary wave{transform.waves()[w], std::abs(parts[w].mean), parts[w].error};
+        wave.root_mean_square = std::sqrt(power[w] / wave.wave.share);
+        wave.multiplier = std::nan("");
+        if (seen.cycles.size() > 1) {
+            const Amplitude mu = multiplier(seen.of_wave(w));
+            wave.multiplier = std::copysign(std::abs(mu), mu.real());
+        }
+        summary.waves.push_back(wave);
+    }
+    return summary;
+}
+
+nlohmann::ordered_json to_json(const PatternSummary& s) {
+    nlohmann::ordered_json json{{"phase", s.window.phase},
+                                {"first_cycle", s.window.first},
+                                {"maps", s.maps},
+                                {"mean_square", s.mean_square.value},
+                                {"mean_square_error", s.mean_square.error},
+                                {"relative_mean_square", s.relative_mean_square.value},
+                                {"relative_mean_square_error", s.relative_mean_square.error},
+                                {"order", s.order.value},
+                                {"order_error", s.order.error},
+                                {"wavelength", s.wavelength},
+                                {"angle", s.angle},
+                                {"coherent_share", s.coherent_share},
+                                {"waves", nlohmann::ordered_json::array()}};
+    for (const WaveSummary& w : s.waves) {
+        json["waves"].push_back({{"waves_x", w.wave.mx},
+                                 {"waves_y", w.wave.my},
+                                 {"root_mean_square", w.root_mean_square},
+                                 {"coherent", w.coherent},
+                                 {"coherent_error", w.coherent_error},
+                                 {"multiplier", w.multiplier}});
+    }
+    return json;
+}
+
+}  // namespace shaken::compare

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: MIT
+// Measures of patterns on maps whose answer is known: plane waves, white noise, waves that alternate or grow.
+#include <catch2/catch.hpp>
+#include <cmath>
+#include <functional>
+#include <numbers>
+
+#include "compare/patterns/floquet.hpp"
+#include "compare/patterns/pattern_summary.hpp"
+#include "compare/patterns/power_spectrum.hpp"
+#include "scene/random_stream.hpp"
+
+using namespace shaken;
+using compare::Amplitude;
+
+namespace {
+
+constexpr double pi = std::numbers::pi;
+const fields::HorizontalGrid square{21, 21, 42.0, 42.0};
+
+std::vector<double> map_of(const fields::HorizontalGrid& grid, const std::function<double(double, double)>& psi) {
+    std::vector<double> map;
+    for (std::int64_t iy = 0; iy < grid.ny; ++iy)
+        for (std::int64_t ix = 0; ix < grid.nx; ++ix)
+            map.push_back(
+                psi((static_cast<double>(ix) + 0.5) * grid.dx(), (static_cast<double>(iy) + 0.5) * grid.dy()));
+    return map;
+}
+
+compare::PowerSpectrum spectrum_of(const fields::HorizontalGrid& grid, const std::vector<double>& map) {
+    compare::MapTransform transform(grid);
+    compare::PowerSpectrum spectrum(transform);
+    spectrum.add(transform.amplitudes(map));
+    return spectrum;
+}
+
+std::vector<double> noise(const fields::HorizontalGrid& grid, scene::RandomStream& random) {
+    return map_of(grid, [&](double, double) { return random.normal(); });
+}
+
+}  // namespace
+
+TEST_CASE("a plane wave has order 1, its own wavelength and its own direction") {
+    const auto [mx, my] =
+        GENERATE(std::pair{2, 0}, std::pair{0, 2}, std::pair{1, 2}, std::pair{2, -1}, std::pair{4, 4});
+    const double kx = 2.0 * pi * mx / 42.0, ky = 2.0 * pi * my / 42.0;
+    const auto spectrum =
+        spectrum_of(square, map_of(square, [&](double x, double y) { return 3.0 + 0.4 * std::cos(kx * x + ky * y); }));
+    CHECK(spectrum.order() == Approx(1.0).epsilon(1e-12));  // round-off
+    CHECK(spectrum.mean_square() == Approx(0.5 * 0.4 * 0.4).epsilon(1e-12));
+    CHECK(spectrum.dominant_wavelength() == Approx(2.0 * pi / std::hypot(kx, ky)).epsilon(1e-12));
+    const double direction = std::fmod(std::atan2(ky, kx) + pi, pi);
+    const double off = std::abs(spectrum.angle() - direction);
+    CHECK(std::min(off, pi - off) <= 0.5 * pi / 21.0 + 1e-12);  // half a bin
+}
+
+TEST_CASE("the spectrum holds the whole mean square on grids of even and odd sides") {
+    const fields::HorizontalGrid grid =
+        GENERATE(fields::HorizontalGrid{21, 21, 42.0, 42.0}, fields::HorizontalGrid{42, 42, 42.0, 42.0},
+                 fields::HorizontalGrid{84, 5, 168.0, 10.0}, fields::HorizontalGrid{21, 1, 42.0, 4.0});
+    scene::RandomStream random(3);
+    const std::vector<double> map = noise(grid, random);
+    double mean = 0.0, square_sum = 0.0;
+    for (const double psi : map) mean += psi / static_cast<double>(map.size());
+    for (const double psi : map) square_sum += (psi - mean) * (psi - mean) / static_cast<double>(map.size());
+    CHECK(spectrum_of(grid, map).mean_square() == Approx(square_sum).epsilon(1e-12));  // round-off
+}
+
+TEST_CASE("the order of white noise is that of independent modes of the same grid") {
+    // Second way: draw the power of each wave from its own distribution, with no map and no transform.
+    constexpr int draws = 400, maps_a_draw = 20;
+    scene::RandomStream random(5);
+    compare::MapTransform transform(square);
+    double by_maps = 0.0, by_modes = 0.0, squares = 0.0;
+    for (int d = 0; d < draws; ++d) {
+        compare::PowerSpectrum mapped(transform), drawn(transform);
+        for (int m = 0; m < maps_a_draw; ++m) {
+            mapped.add(transform.amplitudes(noise(square, random)));
+            std::vector<Amplitude> amplitudes;
+            for (std::size_t w = 0; w < transform.waves().size(); ++w)
+                amplitudes.emplace_back(random.normal(), random.normal());
+            drawn.add(amplitudes);
+        }
+        by_maps += mapped.order() / draws;
+        by_modes += drawn.order() / draws;
+        const double difference = mapped.order() - drawn.order();
+        squares += difference * difference;
+    }
+    const double error = std::sqrt(squares) / draws;
+    CHECK(error < 2e-3);
+    CHECK(std::abs(by_maps - by_modes) < 3.0 * error);  // three standard errors
+    CHECK(by_maps > 1.0 / 21.0);
+}
+
+TEST_CASE("the coherent part is what alternates, with an error that covers the noise") {
+    scene::RandomStream random(7);
+    std::vector<std::int64_t> cycles;
+    std::vector<Amplitude> waves;
+    for (int c = 0; c < 400; ++c) {
+        cycles.push_back(c + 13);
+        const Amplitude still{0.7, 0.0}, turning{0.3, 0.4};
+        waves.push_back(still + (cycles.back() % 2 == 0 ? 1.0 : -1.0) * turning +
+                        Amplitude{random.normal(), random.normal()});
+    }
+    const auto part = compare::coherent_part(cycles, waves);
+    CHECK(part.error == Approx(std::sqrt(2.0 / 400.0)).epsilon(0.5));  // of ten blocks: known to a quarter
+    CHECK(std::abs(part.mean - Amplitude{0.3, 0.4}) < 3.0 * part.error);
+}
+
+TEST_CASE("the multiplier of a wave that grows and alternates is found, and onset where its modulus is 1") {
+    std::vector<Amplitude> wave{{1e-3, 2e-3}};
+    for (int c = 0; c < 9; ++c) wave.push_back(-1.07 * wave.back());
+    const Amplitude mu = compare::multiplier(wave);
+    CHECK(mu.real() == Approx(-1.07).epsilon(1e-12));
+    CHECK(std::abs(mu.imag()) < 1e-12);
+    const std::vector<double> controls{2.0, 2.2, 2.4}, multipliers{std::exp(-0.3), std::exp(-0.1), std::exp(0.1)};
+    CHECK(compare::onset(controls, multipliers) == Approx(2.3).epsilon(1e-12));
+    CHECK(std::isnan(compare::onset(controls, std::vector{0.5, 0.6, 0.7})));
+}
+
+TEST_CASE("a striped run is summed up as what it is") {
+    fields::HeightMaps maps(square);
+    scene::RandomStream random(11);
+    for (int c = 0; c < 60; ++c) {
+        maps.begin(c, 0.25);
+        const double side = c % 2 == 0 ? 1.0 : -1.0;
+        for (std::int64_t iy = 0; iy < 21; ++iy)
+            for (std::int64_t ix = 0; ix < 21; ++ix) {
+                const double x = 2.0 * static_cast<double>(ix) + 1.0, y = 2.0 * static_cast<double>(iy) + 1.0;
+                maps.add_point(x, y, 1.0, 6.0 + side * 0.5 * std::cos(2.0 * pi * x / 21.0) + 0.1 * random.normal());
+            }
+        maps.end();
+    }
+    const auto summary = compare::summarise_pattern(maps, {0.25, 10, 50});
+    CHECK(summary.maps == 50);
+    CHECK(summary.wavelength == Approx(21.0).epsilon(0.01));  // statistics: neighbours' share of the noise
+    CHECK(summary.order.value > 0.9);
+    // <psi^2> = 1/8 of the wave and 0.01 of the noise.
+    CHECK(std::abs(summary.mean_square.value - 0.135) < 3.0 * summary.mean_square.error + 1e-3);
+    CHECK(summary.coherent_share == Approx(0.125 / 0.135).epsilon(0.01));
+    REQUIRE(!summary.waves.empty());
+    CHECK(summary.waves[0].wave.mx == 2);
+    CHECK(summary.waves[0].coherent == Approx(0.25).epsilon(0.02));
+    CHECK(summary.waves[0].multiplier == Approx(-1.0).epsilon(0.01));
+    CHECK_THROWS_AS(compare::summarise_pattern(maps, {0.3, 0, 50}), std::invalid_argument);
+}
