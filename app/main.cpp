@@ -214,6 +214,8 @@ int refuse(const std::exception& error, int code) {
     return code;
 }
 
+int refuse_stdout() { return refuse(files::WriteFailed("stdout: cannot be written"), exit_code::write_failed); }
+
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -222,9 +224,7 @@ int main(int argc, char** argv) {
     spdlog::set_pattern("shaken: %v");
     try {
         const int code = dispatch(argc, argv);
-        if (std::fflush(stdout) != 0)
-            return refuse(files::WriteFailed("stdout: cannot be written"), exit_code::write_failed);
-        return code;
+        return std::fflush(stdout) == 0 ? code : refuse_stdout();
     } catch (const scene::SceneError& error) {
         return refuse(error, exit_code::bad_input);
     } catch (const scene::NoSceneFile& error) {
@@ -244,6 +244,7 @@ int main(int argc, char** argv) {
     } catch (const std::bad_alloc&) {
         return refuse(std::runtime_error("not enough memory for this scene"), exit_code::run_failed);
     } catch (const std::exception& error) {
+        if (std::ferror(stdout)) return refuse_stdout();  // as a long print says it
         return refuse(error, exit_code::run_failed);
     }
 }
