@@ -61,6 +61,7 @@ int start(const std::string& engine, const EngineOptions& options) {
         if (engine == "continuum") return run_verification(scene, options);
         refuse_verification(scene, engine);
     }
+    if (engine == "continuum") refuse_uniform(scene, engine);
     const EngineFiles files{options.out, engine};
     // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
     Run run(scene);
@@ -117,6 +118,13 @@ int start_or_resume(const std::string& engine, const EngineOptions& options) {
 }
 
 }  // namespace
+
+void refuse_uniform(const scene::Scene& scene, const std::string& command) {
+    if (scene.kind == scene::Kind::uniform)
+        throw scene::SceneError(
+            {}, fmt::format("shaken {}: a scene of kind uniform is for the MD alone so far; run it with: shaken md",
+                            command));
+}
 
 int run_md(const EngineOptions& options) { return start_or_resume<MdRun>("md", options); }
 int run_continuum(const EngineOptions& options) { return start_or_resume<ContinuumRun>("continuum", options); }

@@ -2,9 +2,15 @@
 // `shaken md` and `shaken continuum`: one engine of a scene into a run folder, from the start or from a checkpoint.
 #pragma once
 
+#include <string>
+
 #include "app/options.hpp"
+#include "scene/scene.hpp"
 
 namespace shaken::app {
+
+/// Throws scene::SceneError where another command than md is given a homogeneous gas.
+void refuse_uniform(const scene::Scene& scene, const std::string& command);
 
 /// Both return an exit code (done or stopped) and throw what goes wrong.
 int run_md(const EngineOptions& options);

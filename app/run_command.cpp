@@ -14,6 +14,7 @@
 
 #include "app/child_process.hpp"
 #include "app/compare_command.hpp"
+#include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
@@ -87,6 +88,7 @@ int run_both(const EngineOptions& options) {
     if (options.resume.empty()) {
         const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
         refuse_verification(scene, "run");
+        refuse_uniform(scene, "run");
         // The hydrodynamics check their names and sizes here, before the MD begins in vain.
         continuum::Solver{scene};
         prepare_folder(folder, options.overwrite);

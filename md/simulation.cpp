@@ -20,7 +20,13 @@ namespace shaken::md {
 
 namespace {
 
-Box box_of(const scene::Scene& scene) { return {scene.box.x, scene.box.y, scene.box.ceiling, false, scene.motion}; }
+std::optional<scene::PlateMotion> plate_of(const scene::Scene& scene) {
+    return scene.kind == scene::Kind::layer ? std::optional(scene.motion) : std::nullopt;
+}
+
+Box box_of(const scene::Scene& scene) {
+    return {scene.box.x, scene.box.y, scene.box.ceiling, scene.kind == scene::Kind::uniform, plate_of(scene)};
+}
 
 /// One seed from the two that a scene names: [initial] and [md] (the mixing step of SplitMix64, Steele and others
 /// 2014).
@@ -31,7 +37,7 @@ std::uint64_t seed_of(const scene::Scene& scene) {
     return z ^ z >> 31;
 }
 
-/// The random layer, or the last frame of the trajectory that the scene names.
+/// The random layer or gas, or the last frame of the trajectory that the scene names.
 Snapshot start_of(const scene::Scene& scene) {
     if (scene.initial.file.empty())
         return make_initial_state(
@@ -71,7 +77,7 @@ Setup contacts_of(const Particles& p) {
     return setup;
 }
 
-std::unique_ptr<Engine> make_layer(const scene::Scene& scene, Snapshot start, const Options& options) {
+std::unique_ptr<Engine> make_scene_engine(const scene::Scene& scene, Snapshot start, const Options& options) {
     const Box box = box_of(scene);
     start.cycle = 0;
     start.time_in_cycle = 0.0;
@@ -99,7 +105,7 @@ Simulation::Simulation(const scene::Scene& scene, const Options& options)
 }
 
 Simulation::Simulation(const scene::Scene& scene, const Snapshot& start, const Options& options)
-    : engine_(make_layer(scene, start, options)) {
+    : engine_(make_scene_engine(scene, start, options)) {
     give_back_freed_memory();
 }
 

@@ -28,7 +28,8 @@ struct Options {
 /// how often advance_to is called, nor of checkpoints in between.
 class Simulation {
   public:
-    /// A random flat layer from initial.seed and md.seed, or the last frame of initial.file (H5MD) where one is named.
+    /// A random flat layer, or a uniform gas, from initial.seed and md.seed, or the last frame of initial.file (H5MD)
+    /// where one is named. A cycle of a uniform gas is its sampling interval.
     /// Throws CannotSetUp when the particles do not fit or overlap, files::NoInput or Damaged for the file.
     explicit Simulation(const scene::Scene& scene, const Options& options = {});
     explicit Simulation(const UniformSystem& system, const Options& options = {});

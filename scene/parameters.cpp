@@ -14,7 +14,7 @@ std::string Range::text() const {
 }
 
 const std::vector<std::string>& kind_names() {
-    static const std::vector<std::string> names{"layer", "riemann", "piston", "column", "wave"};
+    static const std::vector<std::string> names{"layer", "uniform", "riemann", "piston", "column", "wave"};
     return names;
 }
 
@@ -69,6 +69,16 @@ void describe_contacts(Particles& p, ParameterVisitor& v) {
              p.collapse_time, positive);
 }
 
+/// The names that every kind of MD run has.
+void describe_md(Scene& s, ParameterVisitor& v) {
+    v.section("md", "event-driven molecular dynamics");
+    v.seed({"seed", "", "of positions and velocities at the start"}, s.md.seed);
+    v.number({"shell", "sigma", "reach of a neighbour list beyond contact; 0: chosen from the density"}, s.md.shell,
+             {0.0, 10.0});
+    v.number({"contacts_between_sorts", "", "of each particle, before they are reordered in space; 0: the default"},
+             s.md.contacts_between_sorts, {0.0, 1e9});
+}
+
 void describe_layer(Scene& s, ParameterVisitor& v) {
     v.section("plate", "the oscillating plate, z_p = A (1 - cos 2 pi f t)");
     v.number({"acceleration", "g", "peak acceleration over gravity, Gamma = 4 pi^2 f^2 A"}, s.plate.acceleration,
@@ -106,19 +116,14 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"bin", "sigma", "height of a bin of the profiles"}, s.sample.bin, {0.01, 100.0});
     v.whole({"frames", "", "whole states kept of the last cycle, at equal phases; a divisor of phases, 0 for none"},
             s.sample.frames, {0.0, 100000.0});
-    v.whole({"maps", "", "maps of z_cm(x, y) kept of every cycle, at equal phases; a divisor of phases"},
-            s.sample.maps, {1.0, 100000.0});
+    v.whole({"maps", "", "maps of z_cm(x, y) kept of every cycle, at equal phases; a divisor of phases"}, s.sample.maps,
+            {1.0, 100000.0});
     v.number({"map_bin", "sigma", "width of a bin of these maps; 0: no maps are kept"}, s.sample.map_bin,
              {0.0, 1000.0});
 
-    v.section("md", "event-driven molecular dynamics");
-    v.seed({"seed", "", "of positions and velocities at the start"}, s.md.seed);
-    v.number({"shell", "sigma", "reach of a neighbour list beyond contact; 0: chosen from the density"}, s.md.shell,
-             {0.0, 10.0});
+    describe_md(s, v);
     v.whole({"frames_per_cycle", "", "how often the moving frame follows the layer; 0: the default"},
             s.md.frames_per_cycle, {0.0, 10000.0});
-    v.number({"contacts_between_sorts", "", "of each particle, before they are reordered in space; 0: the default"},
-             s.md.contacts_between_sorts, {0.0, 1e9});
 
     describe_continuum_choices(s, v);
     v.choice({"dimension", "", "\"auto\", 1, 2 or 3"}, s.continuum.dimension);
@@ -134,6 +139,36 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"floor_density", "", "least density, relative to the mean density N/(x y lid)"},
              s.continuum.floor_density, {0.0, 0.1, true});
     v.number({"floor_temperature", "g sigma", "least temperature"}, s.continuum.floor_temperature, {0.0, 1.0, true});
+}
+
+/// A homogeneous gas in a periodic cube, without gravity: what hard-sphere theory knows most about.
+void describe_uniform(Scene& s, ParameterVisitor& v) {
+    v.section("particles", "spheres of diameter 1 and mass 1");
+    v.optional_whole({"number", "", "how many, N; or give box.side"}, s.particles.number, counts);
+    describe_contacts(s.particles, v);
+
+    v.section("box", "a cube, periodic in three directions");
+    v.optional_number({"side", "sigma", "of the cube, (pi N/(6 nu))^(1/3); or give particles.number"}, s.uniform.side,
+                      widths);
+
+    v.section("initial", "a homogeneous gas at rest as a whole");
+    v.number({"volume_fraction", "", "of the gas, nu"}, s.initial.volume_fraction, {0.0, 0.6, true});
+    v.number({"temperature", "g sigma", "granular temperature at the start"}, s.initial.temperature, positive);
+    v.seed({"seed", "", "of the random start"}, s.initial.seed);
+    v.text({"file", "", "an earlier output of the MD to start from"}, s.initial.file);
+
+    v.section("sample", "when the gas is measured");
+    v.number({"interval", "sqrt(sigma/g)", "between sample instants"}, s.uniform.interval, positive);
+    v.number({"settle", "sqrt(sigma/g)", "time before averaging, whole intervals"}, s.uniform.settle, at_least_zero);
+    v.number({"duration", "sqrt(sigma/g)", "time averaged over, whole intervals"}, s.uniform.duration, positive);
+    v.whole({"frames", "", "whole states kept of the time averaged over, the last at its end; 0: none"},
+            s.uniform.frames, {0.0, 100000.0});
+
+    describe_md(s, v);
+
+    describe_continuum_choices(s, v);
+    v.optional_number({"restitution", "", "a constant in place of the scene's law"}, s.continuum.restitution,
+                      fractions);
 }
 
 void describe_gas(GasState& gas, ParameterVisitor& v) {
@@ -181,6 +216,7 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
             v.number({"amplitude", "", "of the density, relative"}, s.tube.amplitude, {0.0, 0.1, true});
             break;
         case Kind::layer:
+        case Kind::uniform:
             break;
     }
     describe_continuum_choices(s, v);
@@ -197,6 +233,9 @@ void describe(Scene& s, ParameterVisitor& v) {
     switch (s.kind) {
         case Kind::layer:
             describe_layer(s, v);
+            break;
+        case Kind::uniform:
+            describe_uniform(s, v);
             break;
         case Kind::riemann:
         case Kind::piston:

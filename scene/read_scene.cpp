@@ -71,8 +71,8 @@ class Reader : public ParameterVisitor {
             const std::size_t dot = std::min(name.find('.', from), name.size());
             const toml::node* node = keys_->get(name.substr(from, dot - from));
             if (node && !node->is_table()) {
-                throw SceneError(place(*node), fmt::format("[{}] must be a section, not {}", name.substr(0, dot),
-                                                           type_name(*node)));
+                throw SceneError(place(*node),
+                                 fmt::format("[{}] must be a section, not {}", name.substr(0, dot), type_name(*node)));
             }
             keys_ = node ? node->as_table() : nullptr;
             from = dot + 1;
@@ -341,14 +341,18 @@ toml::table parse_override(const std::string& written, Sources& sources) {
 
 /// An override of one member of an exclusive pair takes the place of the file's other member.
 void drop_rivals(toml::table& table, const toml::table& override_table) {
-    static constexpr std::string_view pairs[][3] = {{"particles", "number", "depth"},
-                                                    {"plate", "frequency", "frequency_star"}};
-    for (const auto& [section, one, other] : pairs) {
-        toml::table* keys = table.contains(section) ? table.get(section)->as_table() : nullptr;
-        const toml::node* given = override_table.get(section);
-        if (!keys || !given || !given->is_table()) continue;
-        if (given->as_table()->contains(one)) keys->erase(other);
-        if (given->as_table()->contains(other)) keys->erase(one);
+    static constexpr std::string_view pairs[][2] = {{"particles.number", "particles.depth"},
+                                                    {"particles.number", "box.side"},
+                                                    {"plate.frequency", "plate.frequency_star"}};
+    const auto drop = [&](std::string_view given, std::string_view rival) {
+        const std::size_t dot = rival.find('.');
+        toml::node* section = table.get(rival.substr(0, dot));
+        if (override_table.at_path(given) && section && section->is_table())
+            section->as_table()->erase(rival.substr(dot + 1));
+    };
+    for (const auto& [one, other] : pairs) {
+        drop(one, other);
+        drop(other, one);
     }
 }
 

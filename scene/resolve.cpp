@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -32,8 +33,8 @@ class Resolver {
                                               s_.sample.phases));
         }
         if (s_.sample.phases % s_.sample.maps != 0) {
-            fail("sample.maps", fmt::format("sample.maps = {} does not divide sample.phases = {}", s_.sample.maps,
-                                            s_.sample.phases));
+            fail("sample.maps",
+                 fmt::format("sample.maps = {} does not divide sample.phases = {}", s_.sample.maps, s_.sample.phases));
         }
         if (s_.sample.map_bin > std::min(s_.box.x, s_.box.y)) {
             fail("sample.map_bin", fmt::format("sample.map_bin = {} is wider than the box, {} x {}", s_.sample.map_bin,
@@ -47,6 +48,49 @@ class Resolver {
         }
     }
 
+    void uniform() {
+        auto& p = s_.particles;
+        Uniform& u = s_.uniform;
+        if (p.number && u.side) {
+            fail("box.side", fmt::format("box.side contradicts particles.number ({}): give one of them",
+                                         line_of("particles.number")));
+        }
+        if (!p.number && !u.side) fail("particles", "particles.number or box.side is needed");
+        const double volume_of_one = std::numbers::pi / 6.0 / s_.initial.volume_fraction;
+        const double wanted = p.number ? static_cast<double>(*p.number) : *u.side * *u.side * *u.side / volume_of_one;
+        if (wanted < 1.5 || wanted > 1e9) {
+            fail(p.number ? "particles.number" : "box.side",
+                 fmt::format("{:.3g} particles cannot be a gas in a box; allowed: 2 to 1e9", wanted));
+        }
+        s_.number_of_particles = std::llround(wanted);
+        const double side = std::cbrt(static_cast<double>(s_.number_of_particles) * volume_of_one);
+        s_.box = {side, side, side};
+        const auto intervals = [&](const char* key, double time) {
+            const double count = time / u.interval, whole = std::nearbyint(count);
+            if (std::abs(count - whole) > 1e-6 * std::max(1.0, whole)) {
+                fail(key, fmt::format("{} = {} is not a whole number of sample.interval = {}", key, time, u.interval));
+            }
+            if (whole > 1e7) {
+                fail(key, fmt::format("{} = {} is {:.3g} times sample.interval = {}; at most 1e7 are allowed", key,
+                                      time, whole, u.interval));
+            }
+            return static_cast<std::int64_t>(whole);
+        };
+        s_.sample.phases = s_.sample.maps = 1;
+        s_.sample.frames = 0;
+        s_.sample.settle = intervals("sample.settle", u.settle);
+        s_.sample.average = intervals("sample.duration", u.duration);
+        if (s_.sample.average < 1)
+            fail("sample.duration",
+                 fmt::format("sample.duration = {} is below sample.interval = {}", u.duration, u.interval));
+        if (u.frames > s_.sample.average) {
+            fail("sample.frames", fmt::format("sample.frames = {} are more than the {} sample instants of "
+                                              "sample.duration",
+                                              u.frames, s_.sample.average));
+        }
+        s_.motion = {0.0, 1.0 / u.interval};
+    }
+
     void tube() {
         const double cells = s_.tube.length / s_.continuum.spacing;
         if (!(cells >= 16.0 && cells <= 1e7)) {
@@ -55,7 +99,8 @@ class Resolver {
                              s_.continuum.spacing, cells, s_.tube.length));
         }
         if (s_.kind == Kind::column && !s_.tube.wall_temperature && s_.tube.restitution < 1.0) {
-            fail("tube.restitution", "tube.restitution below 1 needs tube.wall_temperature: without heat the gas cools");
+            fail("tube.restitution",
+                 "tube.restitution below 1 needs tube.wall_temperature: without heat the gas cools");
         }
     }
 
@@ -155,6 +200,9 @@ void resolve(Scene& scene, const std::map<std::string, Place>& places, const Pla
     switch (scene.kind) {
         case Kind::layer:
             Resolver(scene, places, whole).layer();
+            break;
+        case Kind::uniform:
+            Resolver(scene, places, whole).uniform();
             break;
         case Kind::riemann:
         case Kind::piston:

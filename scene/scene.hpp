@@ -27,7 +27,7 @@ struct Choice {
     Place place;
 };
 
-enum class Kind { layer, riemann, piston, column, wave };
+enum class Kind { layer, uniform, riemann, piston, column, wave };
 
 struct Plate {
     double acceleration = 3.0;             // Gamma, peak acceleration over g
@@ -85,6 +85,16 @@ struct Tube {
     double number_per_area = 1.0;                         // on a heated bottom (column)
 };
 
+/// A gas without gravity or walls, in a cube periodic in three directions (the kind uniform). Its sample instants lie
+/// `interval` apart; that interval takes the place of a cycle in Scene::motion and Scene::sample.
+struct Uniform {
+    std::optional<double> side;  // of the cube, in sigma; or particles.number
+    double settle = 10.0;        // time before averaging, in sqrt(sigma/g), as the others
+    double duration = 100.0;     // time averaged over
+    double interval = 1.0;       // between sample instants
+    std::int64_t frames = 1;     // whole states kept of that time, the last at its end; 0: none
+};
+
 struct Sample {
     std::int64_t phases = 200;  // a cycle
     std::int64_t settle = 10;   // cycles before averaging
@@ -129,6 +139,7 @@ struct Scene {
     Box box;
     Initial initial;
     Tube tube;
+    Uniform uniform;
     Sample sample;
     Md md;
     Continuum continuum;
@@ -136,7 +147,7 @@ struct Scene {
     // What the values above imply; filled by the reader (scene/read_scene.hpp).
     PlateMotion motion;
     std::int64_t number_of_particles = 0;
-    double depth = 0.0;  // H
+    double depth = 0.0;  // H; 0 where there is no layer
 
     double number_per_area() const { return static_cast<double>(number_of_particles) / (box.x * box.y); }
 };

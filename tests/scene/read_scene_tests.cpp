@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "scene/read_scene.hpp"
 
+#include <fmt/format.h>
+
 #include <catch2/catch.hpp>
+#include <cmath>
 
 #include "scene/errors.hpp"
 
@@ -201,4 +204,28 @@ TEST_CASE("a message shows no more of a line than a terminal can, and nothing un
     const std::string message = refusal("[plate]\nacceleration = \"" + std::string(5000, 'x') + "\x1b\"");
     CHECK(message.size() < 6000);
     CHECK(message.find('\x1b') == std::string::npos);
+}
+
+TEST_CASE("a uniform gas is a cube of its number and volume fraction, whichever of number and side is given") {
+    const std::string gas =
+        "[scene]\nkind = \"uniform\"\n[particles]\nnumber = 4000\n[initial]\nvolume_fraction = 0.3\n"
+        "[sample]\ninterval = 0.1\nsettle = 5\nduration = 20\n";
+    const Scene s = parse_scene(gas, "try.toml");
+    const double side = std::cbrt(4000.0 * 3.14159265358979324 / 6.0 / 0.3);
+    CHECK(s.box.x == Approx(side).epsilon(1e-14));  // round-off
+    CHECK(s.box.y == s.box.x);
+    CHECK(s.box.ceiling == s.box.x);
+    CHECK(s.sample.settle == 50);
+    CHECK(s.sample.average == 200);
+    CHECK(s.sample.phases == 1);
+    CHECK(s.motion.period() == Approx(0.1).epsilon(1e-15));
+    CHECK(s.motion.amplitude == 0.0);
+    CHECK(parse_scene(print_scene(s), "again.toml").box.x == s.box.x);
+
+    const Scene of_side = parse_scene(gas, "try.toml", {fmt::format("box.side={}", side)});
+    CHECK(of_side.number_of_particles == 4000);
+    CHECK_THAT(refusal(gas + "[box]\nside = 20\n"), Contains("box.side contradicts particles.number (try.toml:4)"));
+    CHECK_THAT(refusal(gas, {"sample.interval=0.3"}), Contains("is not a whole number of sample.interval = 0.3"));
+    CHECK_THAT(refusal(gas, {"sample.frames=201"}), Contains("are more than the 200 sample instants"));
+    CHECK_THAT(refusal(gas + "[plate]\nacceleration = 3\n"), Contains("[plate] is unknown"));
 }
