@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cmath>
 #include <numeric>
 
 #include "app/frames.hpp"
@@ -28,7 +29,12 @@ md::Options options_of(const scene::Scene& scene) {
 }  // namespace
 
 MdRun::MdRun(const scene::Scene& scene)
-    : scene_(scene), simulation_(scene, options_of(scene)), sampler_(scene), series_(columns) {}
+    : scene_(scene),
+      simulation_(scene, options_of(scene)),
+      sampler_(scene),
+      series_(columns),
+      next_(std::llround(simulation_.time_in_cycle() / scene.motion.period() *
+                         static_cast<double>(scene.sample.phases))) {}
 
 void MdRun::advance_and_sample() {
     const Instant now = instant_of(next_, scene_);

@@ -51,14 +51,15 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
       contacts_between_sorts_(setup.options.contacts_between_sorts > 0.0 ? setup.options.contacts_between_sorts
                                                                          : 100.0),
       cycle_(setup.start.cycle),
-      now_(0.0),
+      epoch_(std::min(epochs_ - 1, static_cast<int>(setup.start.time_in_cycle / setup.period * epochs_))),
+      now_(setup.start.time_in_cycle),
       particles_(setup.start.position.size()),
       neighbours_(setup.box, choose_shell(setup), particles_.size()),
       queue_(particles_.size()) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         const auto& r = setup.start.position[i];
         const auto& v = setup.start.velocity[i];
-        particles_[i] = {r[0], r[1], r[2], v[0], v[1], v[2], 0.0, 0, static_cast<std::uint32_t>(i)};
+        particles_[i] = {r[0], r[1], r[2], v[0], v[1], v[2], now_, 0, static_cast<std::uint32_t>(i)};
     }
     if (Law::frictional && law_.friction.per_inertia > 0.0) {
         spins_ = setup.start.spin;
@@ -66,6 +67,7 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
     }
     if (Law::remedied) last_contacts_.assign(particles_.size(), -never);
     frame_.gravity = Layered ? 1.0 : 0.0;
+    stall_mark_time_ = now_;
     sort_in_space();
     begin_epoch();
 }

@@ -3,6 +3,7 @@
 // Positions, velocities and box edges share one step and time; units are in /parameters/units.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <filesystem>
 #include <vector>
@@ -33,11 +34,14 @@ class H5mdWriter {
     bool linked_ = false;
 };
 
-/// The frames of /particles/all, velocities included. Throws files::NoInput, files::Damaged.
+/// The frames of /particles/all, velocities and spins (where there are any) included. Throws files::NoInput,
+/// files::Damaged.
 struct H5mdFrames {
     std::vector<std::int64_t> step;
     std::vector<double> time;
     std::vector<Snapshot> frames;  // cycle and time_in_cycle are not stored: zero
+    std::vector<double> phase;     // ft of each, where the file says it
+    std::array<double, 3> box{};   // of the last frame, sigma
 };
 H5mdFrames read_h5md(const std::filesystem::path& path);
 

@@ -13,7 +13,7 @@
 
 #include "md/engine.hpp"
 #include "md/errors.hpp"
-#include "md/h5md.hpp"
+#include "md/initial_file.hpp"
 #include "md/initial_state.hpp"
 
 namespace shaken::md {
@@ -37,18 +37,13 @@ std::uint64_t seed_of(const scene::Scene& scene) {
     return z ^ z >> 31;
 }
 
-/// The random layer or gas, or the last frame of the trajectory that the scene names.
+/// The random layer or gas, or the state in the file that the scene names.
 Snapshot start_of(const scene::Scene& scene) {
     if (scene.initial.file.empty())
         return make_initial_state(
             {scene.number_of_particles, scene.initial.volume_fraction, scene.initial.temperature, seed_of(scene)},
             box_of(scene));
-    H5mdFrames read = read_h5md(scene.initial.file);
-    const std::size_t found = read.frames.empty() ? 0 : read.frames.back().position.size();
-    if (found != static_cast<std::size_t>(scene.number_of_particles))
-        throw CannotSetUp(fmt::format("md: initial.file {} ends with {} particles, the scene has {}",
-                                      scene.initial.file, found, scene.number_of_particles));
-    return std::move(read.frames.back());
+    return read_start(scene);
 }
 
 void refuse_overlaps(const Snapshot& start, const Box& box) {
@@ -80,7 +75,6 @@ Setup contacts_of(const Particles& p) {
 std::unique_ptr<Engine> make_scene_engine(const scene::Scene& scene, Snapshot start, const Options& options) {
     const Box box = box_of(scene);
     start.cycle = 0;
-    start.time_in_cycle = 0.0;
     refuse_overlaps(start, box);
     Setup setup = contacts_of(scene.particles);
     setup.box = box;

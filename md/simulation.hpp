@@ -28,12 +28,12 @@ struct Options {
 /// how often advance_to is called, nor of checkpoints in between.
 class Simulation {
   public:
-    /// A random flat layer, or a uniform gas, from initial.seed and md.seed, or the last frame of initial.file (H5MD)
-    /// where one is named. A cycle of a uniform gas is its sampling interval.
+    /// A random flat layer, or a uniform gas, from initial.seed and md.seed, or the state in initial.file where one
+    /// is named (md/initial_file.hpp). A cycle of a uniform gas is its sampling interval.
     /// Throws CannotSetUp when the particles do not fit or overlap, files::NoInput or Damaged for the file.
     explicit Simulation(const scene::Scene& scene, const Options& options = {});
     explicit Simulation(const UniformSystem& system, const Options& options = {});
-    /// From given lab-frame positions and velocities at cycle 0, time 0, in place of the random layer.
+    /// From given lab-frame positions, velocities and spins at their time within cycle 0, in place of the random start.
     /// Throws CannotSetUp when particles overlap each other, the plate or the ceiling.
     Simulation(const scene::Scene& scene, const Snapshot& start, const Options& options = {});
     ~Simulation();

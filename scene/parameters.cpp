@@ -106,7 +106,7 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.whole({"wave_y", "", "its waves along the box's side y"}, s.initial.wave_y, {0.0, 10000.0});
     v.seed({"seed", "", "of the random start"}, s.initial.seed);
     v.text({"file", "", "an earlier output to start from"}, s.initial.file);
-    v.number({"phase", "", "ft of the state in that file which the continuum starts from, a sample instant"},
+    v.number({"phase", "", "ft of the state in that file which a run starts from and at, a sample instant"},
              s.initial.phase, {0.0, 1.0});
 
     v.section("sample", "when and how fields are measured");

@@ -58,7 +58,7 @@ struct Initial {
     std::int64_t wave_x = 1, wave_y = 0;  // its waves along each side of the box
     std::uint64_t seed = 1;
     std::string file;
-    double phase = 0.0;  // ft of the state in the file that the continuum starts from and at
+    double phase = 0.0;  // ft of the state in the file that a run starts from and at
 
     /// Whether the continuum's start differs from column to column.
     bool uneven() const { return noise > 0.0 || wave > 0.0; }
