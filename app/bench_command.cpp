@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "app/exit_codes.hpp"
+#include "app/md_run.hpp"
 #include "app/options.hpp"
 #include "continuum/benchmark.hpp"
 #include "md/benchmark.hpp"
@@ -52,7 +53,8 @@ int run_md_bench(const MdBench& bench) {
         system.seed = bench.seed;
         result = md::benchmark(system, bench.collisions);
     } else {
-        result = md::benchmark(scene::read_scene(bench.scene_file, bench.overrides), bench.settle, bench.cycles);
+        const scene::Scene scene = scene::read_scene(bench.scene_file, bench.overrides);
+        result = md::benchmark(scene, bench.settle, bench.cycles, md_options_of(scene));
     }
     const nlohmann::ordered_json line{{"particles", result.particles},
                                       {"collisions", result.collisions},

@@ -22,15 +22,15 @@ const std::vector<std::string> columns{"centre_of_mass", "kinetic_energy",  "rot
                                        "ceiling_loss",   "momentum_x",      "momentum_y",        "momentum_z",
                                        "plate_impulse",  "pair_collisions", "plate_collisions",  "ceiling_collisions"};
 
-md::Options options_of(const scene::Scene& scene) {
+}  // namespace
+
+md::Options md_options_of(const scene::Scene& scene) {
     return {scene.md.shell, static_cast<int>(scene.md.frames_per_cycle), scene.md.contacts_between_sorts};
 }
 
-}  // namespace
-
 MdRun::MdRun(const scene::Scene& scene)
     : scene_(scene),
-      simulation_(scene, options_of(scene)),
+      simulation_(scene, md_options_of(scene)),
       sampler_(scene),
       series_(columns),
       next_(std::llround(simulation_.time_in_cycle() / scene.motion.period() *

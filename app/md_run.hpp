@@ -14,6 +14,9 @@
 
 namespace shaken::app {
 
+/// The knobs of the method, from [md].
+md::Options md_options_of(const scene::Scene& scene);
+
 class MdRun {
   public:
     explicit MdRun(const scene::Scene& scene);

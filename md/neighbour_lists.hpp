@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Who may touch whom soon. Each particle has a centre (where it stood when its list was made), a half shell (how far
+// Who may touch whom soon. Each particle has a centre (near where it stood when its list was made), a half shell (how far
 // from there it may go) and the list of all particles whose centres are within 1 + both half shells of its own. While
 // both stay within their half shells, no pair outside the lists can touch; a particle that leaves gets a new centre
 // and list, alone. Lists are mutual. Half shells follow the local density, so that lists have about the same length:
@@ -45,7 +45,7 @@ class NeighbourLists {
     /// How many neighbours a record holds; longer lists lie elsewhere as a whole.
     static constexpr std::size_t held = 26;
     /// A particle's centre and list, in two cache lines side by side. The centre is exactly these single-precision
-    /// numbers: they differ from where the particle stood by less than the last place of the box length.
+    /// numbers, wherever the particle stood.
     struct alignas(128) Centre {
         float x, y, z;  // z less the frame's shift()
         float half_shell;
@@ -95,7 +95,8 @@ class NeighbourLists {
     const std::uint32_t* long_list(const Centre& c) const { return long_lists_.data() + c.neighbours[0] * longest_; }
     float adapted(float half_shell, std::size_t neighbours) const;
     NeighbourCells::Entry entry(std::uint32_t i) const;
-    void place(std::uint32_t i, Particle& particle);
+    void place(std::uint32_t i, Particle& particle, double ahead);
+    double time_ahead(float half_shell, const Particle& particle) const;
     void write(std::uint32_t i, std::span<const std::uint32_t> neighbours);
     void resize(std::uint32_t i, std::size_t neighbours);
     void add(std::uint32_t i, std::uint32_t neighbour);
