@@ -14,6 +14,7 @@
 #include "app/compare_command.hpp"
 #include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
+#include "app/fit_noise_command.hpp"
 #include "app/patterns_command.hpp"
 #include "app/run_command.hpp"
 #include "app/swift_hohenberg_command.hpp"
@@ -95,6 +96,19 @@ void add_swift_hohenberg_options(CLI::App& command, SwiftHohenbergOptions& optio
     command.add_option("--seed", p.seed, "of the noise; default 1");
 }
 
+void add_fit_noise_options(CLI::App& command, FitNoiseOptions& options) {
+    command.add_option("TABLE", options.table, "CSV with columns value, mean_square, order (and their errors)")
+        ->required();
+    command.add_option("--noises", options.noises, "strengths F tried, ascending, separated by commas")->delimiter(',');
+    command.add_option("--lowest", options.lowest, "control of the model; default -0.2");
+    command.add_option("--highest", options.highest, "default 0.2");
+    command.add_option("--controls", options.controls, "how many; default 17")->check(CLI::Range(4, 10000));
+    command.add_option("--settle", options.settle, "steps; default 8000")->check(CLI::Range(0, 1000000000));
+    command.add_option("--average", options.average, "steps; default 2000")->check(CLI::Range(1, 1000000000));
+    command.add_option("--seeds", options.seeds, "averaged over; default 1")->check(CLI::Range(1, 1000));
+    command.add_option("--seed", options.seed, "the first; default 1");
+}
+
 /// What to say of a mistyped subcommand, of which CLI11 says nothing; empty if there is none.
 std::string unknown_command(const CLI::App& command, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return "";
@@ -143,6 +157,9 @@ int dispatch(int argc, char** argv) {
     auto* swift_hohenberg =
         command.add_subcommand("swift-hohenberg", "steady states of the noisy Swift-Hohenberg equation");
     add_swift_hohenberg_options(*swift_hohenberg, model_options);
+    FitNoiseOptions fit_options;
+    auto* fit_noise = command.add_subcommand("fit-noise", "noise and mean-field onset of a measured onset of patterns");
+    add_fit_noise_options(*fit_noise, fit_options);
     auto* scene_command = command.add_subcommand("scene", "print the resolved scene, or the list of all keys");
     bool list_keys = false;
     auto* scene_file = scene_command->add_option("SCENE", options.scene_file, "scene file (TOML)");
@@ -202,6 +219,7 @@ int dispatch(int argc, char** argv) {
     if (*compare) code = run_compare(folder);
     if (*patterns) code = run_patterns(patterns_options);
     if (*swift_hohenberg) code = run_swift_hohenberg(model_options);
+    if (*fit_noise) code = run_fit_noise(fit_options);
     if (*report) code = run_report(folder);
     if (*scene_command)
         fmt::print("{}", list_keys ? scene::list_parameters()

@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: MIT
+#include "compare/patterns/noise_fit.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "scene/random_stream.hpp"
+
+namespace shaken::compare {
+
+namespace {
+
+void check(const OnsetCurve& curve) {
+    const std::size_t points = curve.control.size();
+    if (points < 4 || curve.mean_square.size() != points || curve.order.size() != points)
+        throw std::invalid_argument("an onset needs at least four points, each with <psi^2> and P_max");
+    if (!std::is_sorted(curve.control.begin(), curve.control.end(), std::less_equal<>()))
+        throw std::invalid_argument("the controls of a curve must ascend");
+}
+
+/// Where the parabola through three points has its extremum; the middle point where they are in line.
+double vertex(double x0, double x1, double x2, double y0, double y1, double y2) {
+    const double left = (y1 - y0) / (x1 - x0), right = (y2 - y1) / (x2 - x1);
+    if (right == left) return x1;
+    return 0.5 * (x0 + x1) - left * 0.5 * (x2 - x0) / (right - left);
+}
+
+/// <psi^2> between the points of a model curve, linear in its logarithm, which spans decades. NaN outside.
+double mean_square_at(const OnsetCurve& curve, double control) {
+    const auto above = std::lower_bound(curve.control.begin(), curve.control.end(), control);
+    if (above == curve.control.end() || control < curve.control.front()) return std::nan("");
+    const auto i = std::max<std::ptrdiff_t>(1, above - curve.control.begin());
+    const auto at = static_cast<std::size_t>(i);
+    const double share = (control - curve.control[at - 1]) / (curve.control[at] - curve.control[at - 1]);
+    return std::exp((1.0 - share) * std::log(curve.mean_square[at - 1]) + share * std::log(curve.mean_square[at]));
+}
+
+/// The fit with one curve of the model: noise, onset, scale and residual.
+NoiseFit fit_one(const OnsetCurve& measured, double onset, const ModelCurve& model) {
+    NoiseFit fit;
+    fit.noise = model.noise;
+    fit.onset = onset;
+    fit.onset_control = steepest_rise(model.curve);
+    fit.mean_field_onset = onset / (1.0 + fit.onset_control);
+    std::vector<double> wanted, given;
+    for (std::size_t i = 0; i < measured.control.size() && measured.control[i] <= onset; ++i) {
+        const double control = measured.control[i] / fit.mean_field_onset - 1.0;
+        const double square = mean_square_at(model.curve, control);
+        if (std::isnan(square)) continue;
+        wanted.push_back(measured.mean_square[i]);
+        given.push_back(square);
+    }
+    double product = 0.0, square = 0.0;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        product += wanted[i] * given[i];
+        square += given[i] * given[i];
+    }
+    fit.scale = product / square;
+    for (std::size_t i = 0; i < wanted.size(); ++i) {
+        const double difference = wanted[i] - fit.scale * given[i];
+        fit.residual += difference * difference / static_cast<double>(wanted.size());
+    }
+    // Two points are met by any curve with one factor and a shift.
+    if (wanted.size() < 3) fit.residual = std::nan("");
+    return fit;
+}
+
+NoiseFit fit_all(const OnsetCurve& measured, const std::vector<ModelCurve>& model) {
+    const double onset = steepest_rise(measured);
+    std::vector<NoiseFit> fits;
+    std::vector<double> residuals;
+    for (const ModelCurve& curve : model) {
+        fits.push_back(fit_one(measured, onset, curve));
+        residuals.push_back(fits.back().residual);
+    }
+    std::size_t best = fits.size();
+    for (std::size_t i = 0; i < fits.size(); ++i)
+        if (!std::isnan(residuals[i]) && (best == fits.size() || residuals[i] < residuals[best])) best = i;
+    if (best == fits.size())
+        throw std::invalid_argument("no curve of the model covers three measured points below onset");
+    NoiseFit fit = fits[best];
+    if (best > 0 && best + 1 < fits.size() && !std::isnan(residuals[best - 1]) && !std::isnan(residuals[best + 1])) {
+        const auto x = [&](std::size_t i) { return std::log(model[i].noise); };
+        const double chosen =
+            vertex(x(best - 1), x(best), x(best + 1), residuals[best - 1], residuals[best], residuals[best + 1]);
+        fit.noise = std::exp(chosen);
+        const std::size_t beside = chosen < x(best) ? best - 1 : best + 1;
+        const double share = (chosen - x(best)) / (x(beside) - x(best));
+        const auto between = [&](double NoiseFit::*member) {
+            return (1.0 - share) * fits[best].*member + share * fits[beside].*member;
+        };
+        fit.mean_field_onset = between(&NoiseFit::mean_field_onset);
+        fit.onset_control = between(&NoiseFit::onset_control);
+        fit.scale = between(&NoiseFit::scale);
+    }
+    fit.residuals = residuals;
+    return fit;
+}
+
+double deviation(const std::vector<double>& values) {
+    double mean = 0.0, square = 0.0;
+    for (const double v : values) mean += v / static_cast<double>(values.size());
+    for (const double v : values) square += (v - mean) * (v - mean);
+    return std::sqrt(square / std::max(1.0, static_cast<double>(values.size()) - 1.0));
+}
+
+}  // namespace
+
+double steepest_rise(const OnsetCurve& curve) {
+    check(curve);
+    std::vector<double> middle, slope;
+    for (std::size_t i = 1; i < curve.control.size(); ++i) {
+        middle.push_back(0.5 * (curve.control[i - 1] + curve.control[i]));
+        slope.push_back((curve.order[i] - curve.order[i - 1]) / (curve.control[i] - curve.control[i - 1]));
+    }
+    const auto steepest = static_cast<std::size_t>(std::max_element(slope.begin(), slope.end()) - slope.begin());
+    if (steepest == 0 || steepest + 1 == slope.size()) return middle[steepest];
+    return vertex(middle[steepest - 1], middle[steepest], middle[steepest + 1], slope[steepest - 1], slope[steepest],
+                  slope[steepest + 1]);
+}
+
+NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, int draws, std::uint64_t seed) {
+    check(measured);
+    if (model.size() < 3) throw std::invalid_argument("the fit needs at least three noise strengths");
+    for (std::size_t i = 1; i < model.size(); ++i)
+        if (!(model[i].noise > model[i - 1].noise))
+            throw std::invalid_argument("the model's noise strengths must ascend");
+    NoiseFit fit = fit_all(measured, model);
+    scene::RandomStream random(seed);
+    std::vector<double> noises, onsets;
+    for (int d = 0; d < draws; ++d) {
+        OnsetCurve drawn = measured;
+        for (std::size_t i = 0; i < measured.mean_square_error.size(); ++i)
+            drawn.mean_square[i] += measured.mean_square_error[i] * random.normal();
+        for (std::size_t i = 0; i < measured.order_error.size(); ++i)
+            drawn.order[i] += measured.order_error[i] * random.normal();
+        const NoiseFit one = fit_all(drawn, model);
+        noises.push_back(one.noise);
+        onsets.push_back(one.mean_field_onset);
+    }
+    fit.noise_error = deviation(noises);
+    fit.mean_field_onset_error = deviation(onsets);
+    return fit;
+}
+
+}  // namespace shaken::compare
