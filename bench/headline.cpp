@@ -131,9 +131,10 @@ void print_wave(const Options& o) {
         amplitudes += fmt::format(", {:.6f}", amplitude(evolution));
     }
     fmt::print(
-        "{{\"dx\": {}, \"dz\": {}, \"lid\": {}, \"scheme\": \"{}\", \"cfl\": {}, \"steps\": {}, \"amplitude\": "
+        "{{\"dx\": {}, \"dz\": {}, \"lid\": {}, \"scheme\": \"{}\", \"cfl\": {}, \"steps\": {}, \"relaxations\": {}, "
+        "\"amplitude\": "
         "[{}]}}\n",
-        o.dx, o.dz, o.lid, o.scheme, o.cfl, evolution.steps(), amplitudes);
+        o.dx, o.dz, o.lid, o.scheme, o.cfl, evolution.steps(), evolution.relaxations(), amplitudes);
 }
 
 void print_time(const Options& o) {

@@ -46,4 +46,21 @@ inline void solve_diffusion(std::int64_t n, const double* capacity, const double
     }
 }
 
+/// The same in a ring: x_{-1} = x_{n-1}, x_n = x_0 and w_0 = w_n. What the two end cells take from each other is moved
+/// to the right-hand side and found from the two columns of the inverse that belong to it.
+inline void solve_periodic_diffusion(std::int64_t n, const double* capacity, const double* coupling, double* values,
+                                     double* ratio, double* of_first, double* of_last) {
+    for (std::int64_t i = 0; i < n; ++i) of_first[i] = of_last[i] = 0.0;
+    of_first[0] = of_last[n - 1] = coupling[0];
+    solve_diffusion(n, capacity, coupling, values, ratio);
+    solve_diffusion(n, capacity, coupling, of_first, ratio);
+    solve_diffusion(n, capacity, coupling, of_last, ratio);
+    // x = y + x_{n-1} of_first + x_0 of_last, taken at both ends.
+    const double a = 1.0 - of_last[0], b = of_first[0], c = of_last[n - 1], d = 1.0 - of_first[n - 1];
+    const double inverse = 1.0 / (a * d - b * c);
+    const double first = (d * values[0] + b * values[n - 1]) * inverse;
+    const double last = (a * values[n - 1] + c * values[0]) * inverse;
+    for (std::int64_t i = 0; i < n; ++i) values[i] += last * of_first[i] + first * of_last[i];
+}
+
 }  // namespace shaken::continuum

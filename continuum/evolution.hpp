@@ -56,6 +56,9 @@ class Evolution : public Method {
     Ledger ledger() const override;
     std::int64_t steps() const override { return steps_; }
     std::int64_t repeated_steps() const { return repeated_; }
+    std::int64_t relaxations() const {
+        return relaxations_;
+    }  // one a step, more where diffusion across columns is fast
 
     void save(files::CheckpointWriter& out) const override;
     void restore(const files::CheckpointReader& in) override;
@@ -83,7 +86,12 @@ class Evolution : public Method {
     void cool(std::int64_t column, double dt, Workspace& work);
     void diffuse(std::int64_t column, double dt, Workspace& work);
     void add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced, double* heat) const;
+    void relax_once(double dt, bool cooling_first);
     void relax_horizontally(double dt);
+    int pieces_of_relaxation(double dt);
+    TransportArrays close_for_stresses(std::int64_t column, Workspace& work);
+    double share_of_face() const;
+    double narrowest_square() const;
     void horizontal_stresses(std::int64_t column, double dt, Workspace& work);
     void apply_horizontal_stresses(std::int64_t column, double dt);
 
@@ -111,6 +119,7 @@ class Evolution : public Method {
     double initial_energy_ = 0.0;
     std::int64_t steps_ = 0;
     std::int64_t repeated_ = 0;
+    std::int64_t relaxations_ = 0;
     bool transverse_ = false;  // whether u_x or u_y can differ from 0
 };
 

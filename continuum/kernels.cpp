@@ -46,7 +46,9 @@ void choose_sweep(Kernels& kernels, const scene::Continuum& choices) {
         return choose(Fluxes{}, "continuum.flux", choices.flux, [&](auto f) {
             using Flux = decltype(f);
             kernels.sweep = sweep<PairCorrelation, Flux, Reconstruct>;
-            kernels.sweep_horizontal = sweep<PairCorrelation, typename Flux::InSlowFlow, Reconstruct>;
+            // Across columns always the high order: cells are ten times wider than high there, and a pattern's wave has
+            // ten of them, of which MUSCL damps as much as the gas does (tests/continuum/horizontal_waves_tests.cpp).
+            kernels.sweep_horizontal = sweep<PairCorrelation, typename Flux::InSlowFlow, Weno5>;
             return true;
         });
     };

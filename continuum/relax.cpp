@@ -20,6 +20,12 @@ TransportArrays transport_rows(Workspace& work) {
 }  // namespace
 
 void Evolution::relax(double dt, bool cooling_first) {
+    const int pieces = kernels_.viscous && grid().columns() > 1 ? pieces_of_relaxation(dt) : 1;
+    for (int i = 0; i < pieces; ++i) relax_once(dt / pieces, cooling_first);
+    relaxations_ += pieces;
+}
+
+void Evolution::relax_once(double dt, bool cooling_first) {
     const bool cools = !(dissipation_.is_constant() && dissipation_.constant() == 0.0);
     const bool horizontal = kernels_.viscous && grid().columns() > 1;
     const std::int64_t nz = grid().nz, columns = grid().columns();
@@ -87,7 +93,7 @@ void Evolution::cool(std::int64_t column, double dt, Workspace& work) {
 
 //  | cell 0 | cell 1 | ...     couplings w[0] w[1] ... w[nz] live on the faces; w[f] = dt coefficient / dz^2, the
 //  w0       w1       w2        coefficient being the mean of its two cells. At a wall it is 2 dt coefficient / dz^2,
-//                              the wall standing half a cell away.
+//                              the wall standing half a cell away. In a periodic column both ends are one face.
 void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
     const std::int64_t nz = grid().nz, first = grid().first(column);
     const double dz = grid().dz;
@@ -105,35 +111,48 @@ void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
         conduction[i] = scaled_root * reduced.conductivity[i];
         heat[i] = 0.0;
     }
+    const bool ring = setup_.boundaries.lower.end == End::periodic;
     const auto couple = [&](const double* coefficient, bool lower_wall, bool upper_wall) {
 #pragma omp simd
         for (std::int64_t f = 1; f < nz; ++f) coupling[f] = coefficient[f - 1] + coefficient[f];
         coupling[0] = lower_wall ? 4.0 * coefficient[0] : 0.0;
         coupling[nz] = upper_wall ? 4.0 * coefficient[nz - 1] : 0.0;
+        if (ring) coupling[0] = coupling[nz] = coefficient[0] + coefficient[nz - 1];
+    };
+    const auto solve = [&](const double* capacity) {
+        if (ring)
+            solve_periodic_diffusion(nz, capacity, coupling, values, ratio, work.row(13), work.row(14));
+        else
+            solve_diffusion(nz, capacity, coupling, values, ratio);
     };
     // Momentum, and the kinetic energy it loses: w (du)^2 at each face, half to either cell, and n (u' - u)^2 / 2 in
     // each cell. Both are positive, and with u' they add up to the loss exactly.
     const auto diffuse_velocity = [&](double* velocity) {
         for (std::int64_t i = 0; i < nz; ++i) values[i] = density[i] * velocity[i];
-        solve_diffusion(nz, density, coupling, values, ratio);
+        solve(density);
+        const double beneath = ring ? values[nz - 1] : values[0], beyond = ring ? values[0] : values[nz - 1];
 #pragma omp simd
         for (std::int64_t i = 0; i < nz; ++i) {
-            const double below = values[i] - (i > 0 ? values[i - 1] : values[0]);
-            const double above = (i < nz - 1 ? values[i + 1] : values[nz - 1]) - values[i];
+            const double below = values[i] - (i > 0 ? values[i - 1] : beneath);
+            const double above = (i < nz - 1 ? values[i + 1] : beyond) - values[i];
             const double change = values[i] - velocity[i];
             heat[i] += 0.5 * ((coupling[i] * (below * below) + coupling[i + 1] * (above * above)) +
                               density[i] * (change * change));
         }
-        heat[0] += coupling[0] * (values[0] * values[0]);
-        heat[nz - 1] += coupling[nz] * (values[nz - 1] * values[nz - 1]);
+        if (!ring) {
+            heat[0] += coupling[0] * (values[0] * values[0]);
+            heat[nz - 1] += coupling[nz] * (values[nz - 1] * values[nz - 1]);
+        }
         for (std::int64_t i = 0; i < nz; ++i) velocity[i] = values[i];
     };
     const Boundaries& ends = setup_.boundaries;
     Ledger& books = books_[static_cast<std::size_t>(column)];
     couple(axial, ends.lower.end == End::wall, ends.upper.end == End::wall);
     diffuse_velocity(setup_.flow.velocity_z.data() + first);
-    books.plate_impulse -= dz * coupling[0] * values[0];
-    books.lid_impulse += dz * coupling[nz] * values[nz - 1];
+    if (!ring) {
+        books.plate_impulse -= dz * coupling[0] * values[0];
+        books.lid_impulse += dz * coupling[nz] * values[nz - 1];
+    }
     if (transverse_) {
         couple(shear, false, false);
         diffuse_velocity(setup_.flow.velocity_x.data() + first);
@@ -149,12 +168,15 @@ void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
         values[i] = 1.5 * density[i] * temperature[i] + heat[i];
         capacity[i] = 1.5 * density[i];
     }
-    values[0] += coupling[0] * lower_temperature;
-    values[nz - 1] += coupling[nz] * upper_temperature;
+    if (!ring) {
+        values[0] += coupling[0] * lower_temperature;
+        values[nz - 1] += coupling[nz] * upper_temperature;
+    }
     if (kernels_.density_drives_heat) add_heat_of_density_gradient(column, dt, reduced.density_conductivity, values);
-    solve_diffusion(nz, capacity, coupling, values, ratio);
-    books.boundary_gain +=
-        dz * (coupling[0] * (lower_temperature - values[0]) + coupling[nz] * (upper_temperature - values[nz - 1]));
+    solve(capacity);
+    if (!ring)
+        books.boundary_gain +=
+            dz * (coupling[0] * (lower_temperature - values[0]) + coupling[nz] * (upper_temperature - values[nz - 1]));
     for (std::int64_t i = 0; i < nz; ++i) temperature[i] = values[i];
 }
 
@@ -166,15 +188,16 @@ void Evolution::add_heat_of_density_gradient(std::int64_t column, double dt, con
     const double* density = flow().density.data() + first;
     const double* temperature = flow().temperature.data() + first;
     const double scale = 0.5 * dt / (grid().dz * grid().dz);
-    double carried_below = 0.0;
+    const auto carried_from = [&](std::int64_t i, std::int64_t j) {  // to cell j, which lies above cell i
+        const double here = temperature[i] * std::sqrt(temperature[i]) * reduced[i];
+        const double next = temperature[j] * std::sqrt(temperature[j]) * reduced[j];
+        const double most = 0.15 * smaller(density[i] * temperature[i], density[j] * temperature[j]);
+        return std::clamp(scale * (here + next) * (density[i] - density[j]), -most, most);
+    };
+    const double around = setup_.boundaries.lower.end == End::periodic ? carried_from(nz - 1, 0) : 0.0;
+    double carried_below = around;
     for (std::int64_t i = 0; i < nz; ++i) {
-        double carried = 0.0;  // upwards, through the face above cell i
-        if (i + 1 < nz) {
-            const double here = temperature[i] * std::sqrt(temperature[i]) * reduced[i];
-            const double next = temperature[i + 1] * std::sqrt(temperature[i + 1]) * reduced[i + 1];
-            const double most = 0.15 * smaller(density[i] * temperature[i], density[i + 1] * temperature[i + 1]);
-            carried = std::clamp(scale * (here + next) * (density[i] - density[i + 1]), -most, most);
-        }
+        const double carried = i + 1 < nz ? carried_from(i, i + 1) : around;
         heat[i] += carried_below - carried;
         carried_below = carried;
     }

@@ -3,10 +3,12 @@
 //     tau_ij = (lambda - 2 mu/3) div u delta_ij + mu (d_i u_j + d_j u_i)
 // At a face normal to x all of tau_xj is taken here; at a face normal to z only what diffuse() leaves: the derivatives
 // along x and y. Derivatives along a face are means over the cells on both sides.
-// Coefficients are capped where a step would carry more than a face's share of the thinner cell: by n dx^2/(4 dt) (two
-// horizontal dimensions, /2 with one) for the differences across a face, by n dx dz/(4 dt) for the mixed ones. At dx =
-// 2, dz = 0.2 and the steps of a shaken layer that is a kinematic viscosity of 10 to 50, met above the layer only,
-// where the mean free path is longer than a cell is wide and these equations say nothing anyway.
+// Explicit diffusion carries at most n dx^2/(4 dt) (two horizontal dimensions, /2 with one) through a face. Relaxation
+// is cut into as many equal pieces as that asks for wherever the mean free path is below longest_free_path; in thinner
+// gas, where these equations say nothing, the coefficients are capped instead. The mixed terms need no tighter bound
+// as long as each piece also has its implicit diffusion along z: with a = D dt/dx^2 and b = D dt/dz^2 a piece changes a
+// disturbance by (1 - a + 2 sqrt(a b))/(1 + b) at most, and that is below one.
+#include <algorithm>
 #include <cmath>
 
 #include "continuum/boundary/fill_ghosts.hpp"
@@ -19,7 +21,10 @@ namespace {
 
 // All horizontal faces of a cell together take at most this share of what would empty it.
 constexpr double share_of_faces = 0.9;
-constexpr double share_of_mixed = 1.0 / 4.0;
+// In sigma, at volume fraction 0.013: a third of where the layer is taken to end.
+constexpr double longest_free_path = 8.0;
+constexpr double thinnest_resolved = 0.19947114020071635 / longest_free_path;  // n = 1/(path sqrt(8 pi))
+constexpr double most_pieces = 100.0;
 
 /// What the stresses at a face carry: momentum along the face's normal, along it horizontally, along z, and energy.
 struct Carried {
@@ -46,15 +51,14 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
     const double across = 1.0 / n.width, along = 0.25 / n.lateral_width, upward = 0.25 / dz;
     const double cap = n.share * n.width * n.width / dt;
     const double heat_cap = 0.15 * n.width / dt;
-    const double cap_mixed = share_of_mixed * n.width * dz / dt;
 #pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
         const double thinner = smaller(n.left.density[k], n.right.density[k]);
-        const double most = cap * thinner, most_mixed = cap_mixed * thinner;
+        const double most = cap * thinner;
         const double mean_shear = 0.5 * (n.left.shear[k] + n.right.shear[k]);
         const double mean_bulk = 0.5 * (n.left.bulk[k] + n.right.bulk[k]);
         const double shear = smaller(mean_shear, most), axial = smaller(mean_bulk + (4.0 / 3.0) * mean_shear, most);
-        const double shear_mixed = smaller(mean_shear, most_mixed), bulk_mixed = smaller(mean_bulk, most_mixed);
+        const double bulk = smaller(mean_bulk, most);
         const double conductivity = smaller(0.5 * (n.left.conductivity[k] + n.right.conductivity[k]), 1.5 * most);
 
         const double normal_across = across * (n.right.normal[k] - n.left.normal[k]);
@@ -77,9 +81,9 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         const double density_heat = smaller(larger(density_wanted, -heat_limit), heat_limit);
 
         const double stress_normal =
-            axial * normal_across + (bulk_mixed - (2.0 / 3.0) * shear_mixed) * (lateral_along + vertical_upward);
-        const double stress_lateral = shear * lateral_across + shear_mixed * normal_along;
-        const double stress_vertical = shear * vertical_across + shear_mixed * normal_upward;
+            axial * normal_across + (bulk - (2.0 / 3.0) * shear) * (lateral_along + vertical_upward);
+        const double stress_lateral = shear * lateral_across + shear * normal_along;
+        const double stress_vertical = shear * vertical_across + shear * normal_upward;
         normal[k] = stress_normal;
         lateral[k] = stress_lateral;
         vertical[k] = stress_vertical;
@@ -92,6 +96,42 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
 
 }  // namespace
 
+double Evolution::share_of_face() const { return share_of_faces / (grid().nx > 1 && grid().ny > 1 ? 4.0 : 2.0); }
+
+double Evolution::narrowest_square() const {
+    const double width = smaller(grid().nx > 1 ? grid().dx : grid().dy, grid().ny > 1 ? grid().dy : grid().dx);
+    return width * width;
+}
+
+TransportArrays Evolution::close_for_stresses(std::int64_t column, Workspace& work) {
+    const std::int64_t first = grid().first(column);
+    const TransportArrays out{coefficients_.bulk.data() + first, coefficients_.shear.data() + first,
+                              coefficients_.conductivity.data() + first,
+                              coefficients_.density_conductivity.data() + first, work.row(0)};
+    kernels_.transport(flow().density.data() + first, flow().temperature.data() + first, out, grid().nz, constants_);
+    return out;
+}
+
+int Evolution::pieces_of_relaxation(double dt) {
+    const std::int64_t columns = grid().columns(), nz = grid().nz;
+    double fastest = 0.0;  // kinematic viscosity or thermal diffusivity where it is resolved
+#pragma omp parallel for schedule(static) num_threads(threads()) reduction(max : fastest)
+    for (std::int64_t column = 0; column < columns; ++column) {
+        const TransportArrays at = close_for_stresses(column, work_[thread()]);
+        const double* n = flow().density.data() + grid().first(column);
+        double most = 0.0;
+#pragma omp simd reduction(max : most)
+        for (std::int64_t k = 0; k < nz; ++k) {
+            const double axial = at.bulk[k] + (4.0 / 3.0) * at.shear[k];
+            const double diffusivity = larger(axial, at.conductivity[k] * (1.0 / 1.5)) / n[k];
+            most = larger(most, n[k] > thinnest_resolved ? diffusivity : 0.0);
+        }
+        fastest = larger(fastest, most);
+    }
+    const double wanted = std::ceil(dt * fastest / (share_of_face() * narrowest_square()));
+    return static_cast<int>(std::clamp(wanted, 1.0, most_pieces));
+}
+
 void Evolution::relax_horizontally(double dt) {
     const std::int64_t columns = grid().columns(), nz = grid().nz;
 #pragma omp parallel num_threads(threads())
@@ -99,12 +139,8 @@ void Evolution::relax_horizontally(double dt) {
         Workspace& work = work_[thread()];
 #pragma omp for schedule(static)
         for (std::int64_t column = 0; column < columns; ++column) {
-            const std::int64_t first = grid().first(column);
-            fill_ghosts(setup_.flow, first, nz, setup_.boundaries, constants_.packing_density);
-            const TransportArrays out{coefficients_.bulk.data() + first, coefficients_.shear.data() + first,
-                                      coefficients_.conductivity.data() + first,
-                                      coefficients_.density_conductivity.data() + first, work.row(0)};
-            kernels_.transport(flow().density.data() + first, flow().temperature.data() + first, out, nz, constants_);
+            fill_ghosts(setup_.flow, grid().first(column), nz, setup_.boundaries, constants_.packing_density);
+            close_for_stresses(column, work);
         }
 #pragma omp for schedule(static)
         for (std::int64_t column = 0; column < columns; ++column) horizontal_stresses(column, dt, work);
@@ -116,7 +152,7 @@ void Evolution::relax_horizontally(double dt) {
 void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& work) {
     const std::int64_t nx = grid().nx, ny = grid().ny, nz = grid().nz, first = grid().first(column);
     const std::int64_t ix = column % nx, iy = column / nx;
-    const double dz = grid().dz, share = share_of_faces / (nx > 1 && ny > 1 ? 4.0 : 2.0);
+    const double dz = grid().dz, share = share_of_face();
     const auto fields = [&](std::int64_t x, std::int64_t y, bool along_x) {
         const std::int64_t f = grid().first(grid().column((x + nx) % nx, (y + ny) % ny));
         const double *u_x = flow().velocity_x.data() + f, *u_y = flow().velocity_y.data() + f;
@@ -156,8 +192,7 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
                        to_west = fields(ix - 1, iy, true), to_north = fields(ix, iy + 1, true),
                        to_south = fields(ix, iy - 1, true);
     const double half_dx = 0.5 / grid().dx, half_dy = 0.5 / grid().dy;
-    const double cap =
-        share_of_mixed * dz / dt * smaller(nx > 1 ? grid().dx : grid().dy, ny > 1 ? grid().dy : grid().dx);
+    const double cap = share * narrowest_square() / dt;
     double* __restrict divergence = work.row(20), * __restrict slope_x = work.row(21), * __restrict slope_y = work.row(22);
 #pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
@@ -166,33 +201,39 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
         slope_x[k] = half_dx * (to_east.vertical[k] - to_west.vertical[k]);
         slope_y[k] = half_dy * (to_north.vertical[k] - to_south.vertical[k]);
     }
-#pragma omp simd
-    for (std::int64_t k = 1; k < nz; ++k) {
-        const double most = cap * smaller(here.density[k - 1], here.density[k]);
-        const double shear = smaller(0.5 * (here.shear[k - 1] + here.shear[k]), most);
-        const double bulk = smaller(0.5 * (here.bulk[k - 1] + here.bulk[k]), most);
-        const double along_z = 0.5 * (bulk - (2.0 / 3.0) * shear) * (divergence[k - 1] + divergence[k]);
-        const double along_x = 0.5 * shear * (slope_x[k - 1] + slope_x[k]);
-        const double along_y = 0.5 * shear * (slope_y[k - 1] + slope_y[k]);
+    // Through the face between cells below and k of this column.
+    const auto stress_between = [&](std::int64_t below, std::int64_t k) {
+        const double most = cap * smaller(here.density[below], here.density[k]);
+        const double shear = smaller(0.5 * (here.shear[below] + here.shear[k]), most);
+        const double bulk = smaller(0.5 * (here.bulk[below] + here.bulk[k]), most);
+        const double along_z = 0.5 * (bulk - (2.0 / 3.0) * shear) * (divergence[below] + divergence[k]);
+        const double along_x = 0.5 * shear * (slope_x[below] + slope_x[k]);
+        const double along_y = 0.5 * shear * (slope_y[below] + slope_y[k]);
         face.normal[k] = along_x;
         face.lateral[k] = along_y;
         face.vertical[k] = along_z;
         face.energy[k] =
             0.5 *
-            (along_z * (here.vertical[k - 1] + here.vertical[k]) +
-             (along_x * (here.normal[k - 1] + here.normal[k]) + along_y * (here.lateral[k - 1] + here.lateral[k])));
+            (along_z * (here.vertical[below] + here.vertical[k]) +
+             (along_x * (here.normal[below] + here.normal[k]) + along_y * (here.lateral[below] + here.lateral[k])));
+    };
+#pragma omp simd
+    for (std::int64_t k = 1; k < nz; ++k) stress_between(k - 1, k);
+    if (setup_.boundaries.lower.end == End::periodic) {
+        stress_between(nz - 1, 0);
+        for (double* row : {face.normal, face.lateral, face.vertical, face.energy}) row[nz] = row[0];
+    } else {  // no shear and no work, the normal stress of the cell beside the end
+        for (const std::int64_t f : {std::int64_t{0}, nz}) {
+            const std::int64_t cell = f == 0 ? 0 : nz - 1;
+            const double most = cap * here.density[cell];
+            const double coefficient = smaller(here.bulk[cell], most) - (2.0 / 3.0) * smaller(here.shear[cell], most);
+            face.normal[f] = face.lateral[f] = face.energy[f] = 0.0;
+            face.vertical[f] = coefficient * divergence[cell];
+        }
+        Ledger& books = books_[static_cast<std::size_t>(column)];
+        books.plate_impulse -= dt * face.vertical[0];
+        books.lid_impulse -= dt * face.vertical[nz];
     }
-    // At the ends: no shear and no work, the normal stress of the cell beside it.
-    for (const std::int64_t f : {std::int64_t{0}, nz}) {
-        const std::int64_t cell = f == 0 ? 0 : nz - 1;
-        const double most = cap * here.density[cell];
-        const double coefficient = smaller(here.bulk[cell], most) - (2.0 / 3.0) * smaller(here.shear[cell], most);
-        face.normal[f] = face.lateral[f] = face.energy[f] = 0.0;
-        face.vertical[f] = coefficient * divergence[cell];
-    }
-    Ledger& books = books_[static_cast<std::size_t>(column)];
-    books.plate_impulse -= dt * face.vertical[0];
-    books.lid_impulse -= dt * face.vertical[nz];
 
     const double per_dx = 1.0 / grid().dx, per_dy = 1.0 / grid().dy, per_dz = 1.0 / dz;
     double *__restrict momentum_x = rates_.momentum_x.data() + first, *__restrict momentum_y = rates_.momentum_y.data() + first,

@@ -11,7 +11,7 @@
 
 namespace shaken::continuum {
 
-/// Second order in space and time.
+/// Second order in space and time: MUSCL along columns, WENO across them, where cells are wide (kernels.cpp).
 struct SchemeMuscl {
     static constexpr std::string_view name = "muscl";
     static constexpr std::span<const Stage> stages = ssp_rk2;

@@ -46,6 +46,25 @@ TEST_CASE("the two-ended elimination solves its equations, however stiff they ar
     }
 }
 
+TEST_CASE("the elimination of a ring solves its equations") {
+    std::mt19937_64 engine(7);
+    for (const std::size_t n : {16u, 33u}) {
+        std::vector<double> capacity(n), coupling(n + 1), right(n), ratio(n), first(n), last(n);
+        for (double& c : capacity) c = 0.1 + uniform(engine);
+        for (double& w : coupling) w = 10.0 * uniform(engine);
+        for (double& r : right) r = uniform(engine);
+        coupling.back() = coupling.front();
+        std::vector<double> x = right;
+        solve_periodic_diffusion(static_cast<std::int64_t>(n), capacity.data(), coupling.data(), x.data(), ratio.data(),
+                                 first.data(), last.data());
+        for (std::size_t i = 0; i < n; ++i) {
+            const double below = x[(i + n - 1) % n], above = x[(i + 1) % n];
+            const double balance = capacity[i] * x[i] + coupling[i] * (x[i] - below) + coupling[i + 1] * (x[i] - above);
+            CHECK(balance == Approx(right[i]).margin(1e-13));  // round-off of couplings up to 10
+        }
+    }
+}
+
 TEST_CASE("the elimination of the mirrored column gives the mirrored bits") {
     std::mt19937_64 engine(6);
     for (const std::size_t n : {16u, 33u}) {
