@@ -13,6 +13,7 @@
 #include "app/exit_codes.hpp"
 #include "app/md_run.hpp"
 #include "app/run_folder.hpp"
+#include "app/uniform_run.hpp"
 #include "app/verification_run.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
@@ -28,6 +29,17 @@ void print_result(const MdRun& run) {
     const md::Counters c = run.counters();
     fmt::print("md: {} pair collisions, {} with the plate, state {:016x}\n", c.pair_collisions, c.plate_collisions,
                run.state_hash());
+}
+
+void print_result(const UniformRun& run) {
+    fmt::print("md: {} pair collisions, state {:016x}\n", run.counters().pair_collisions, run.state_hash());
+    for (const Measured& m : run.results()) {
+        fmt::print("{:40} {:.6g} +- {:.2g}", m.name, m.value, m.error);
+        if (m.reference)
+            fmt::print("   {:.6g} ({}), {:+.1f} standard errors", *m.reference, m.source,
+                       (m.value - *m.reference) / m.error);
+        fmt::print("\n");
+    }
 }
 
 void print_result(const ContinuumRun& run) {
@@ -117,6 +129,16 @@ int start_or_resume(const std::string& engine, const EngineOptions& options) {
     return options.resume.empty() ? start<Run>(engine, options) : resume<Run>(engine, options);
 }
 
+/// Of the scene to start with, or of the one begun with; a checkpoint that cannot be read is refused by whoever resumes
+/// from it.
+scene::Kind kind_of(const EngineOptions& options) {
+    if (options.resume.empty()) return scene::read_scene(options.scene_file, options.overrides).kind;
+    const EngineFiles files{options.resume, "md"};
+    if (!std::filesystem::exists(files.checkpoint())) return scene::Kind::layer;
+    const files::CheckpointReader in(files.checkpoint());
+    return scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)").kind;
+}
+
 }  // namespace
 
 void refuse_uniform(const scene::Scene& scene, const std::string& command) {
@@ -126,7 +148,10 @@ void refuse_uniform(const scene::Scene& scene, const std::string& command) {
                             command));
 }
 
-int run_md(const EngineOptions& options) { return start_or_resume<MdRun>("md", options); }
+int run_md(const EngineOptions& options) {
+    if (kind_of(options) == scene::Kind::uniform) return start_or_resume<UniformRun>("md", options);
+    return start_or_resume<MdRun>("md", options);
+}
 int run_continuum(const EngineOptions& options) { return start_or_resume<ContinuumRun>("continuum", options); }
 
 }  // namespace shaken::app

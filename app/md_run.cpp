@@ -28,6 +28,22 @@ md::Options md_options_of(const scene::Scene& scene) {
     return {scene.md.shell, static_cast<int>(scene.md.frames_per_cycle), scene.md.contacts_between_sorts};
 }
 
+void save_frame(files::CheckpointWriter& out, std::size_t number, const md::Snapshot& frame) {
+    const std::string prefix = fmt::format("frames/{}/", number);
+    out.put(prefix + "position", frame.position);
+    out.put(prefix + "velocity", frame.velocity);
+    out.put(prefix + "spin", frame.spin);
+    out.put(prefix + "cycle", frame.cycle);
+    out.put(prefix + "time_in_cycle", frame.time_in_cycle);
+}
+
+md::Snapshot restore_frame(const files::CheckpointReader& in, std::size_t number) {
+    const std::string prefix = fmt::format("frames/{}/", number);
+    return {in.take_one<std::int64_t>(prefix + "cycle"), in.take_one<double>(prefix + "time_in_cycle"),
+            in.take<std::array<double, 3>>(prefix + "position"), in.take<std::array<double, 3>>(prefix + "velocity"),
+            in.take<std::array<double, 3>>(prefix + "spin")};
+}
+
 MdRun::MdRun(const scene::Scene& scene)
     : scene_(scene),
       simulation_(scene, md_options_of(scene)),
@@ -66,12 +82,7 @@ void MdRun::save(files::CheckpointWriter& out, const Spent& spent) const {
     sampler_.save(out);
     series_.save(out, "series/");
     out.put("frames/count", static_cast<std::int64_t>(frames_.size()));
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-        out.put(fmt::format("frames/{}/position", i), frames_[i].position);
-        out.put(fmt::format("frames/{}/velocity", i), frames_[i].velocity);
-        out.put(fmt::format("frames/{}/cycle", i), frames_[i].cycle);
-        out.put(fmt::format("frames/{}/time_in_cycle", i), frames_[i].time_in_cycle);
-    }
+    for (std::size_t i = 0; i < frames_.size(); ++i) save_frame(out, i, frames_[i]);
 }
 
 void MdRun::restore(const files::CheckpointReader& in) {
@@ -80,12 +91,7 @@ void MdRun::restore(const files::CheckpointReader& in) {
     sampler_.restore(in);
     series_.restore(in, "series/");
     frames_.resize(static_cast<std::size_t>(in.take_one<std::int64_t>("frames/count")));
-    for (std::size_t i = 0; i < frames_.size(); ++i) {
-        frames_[i].position = in.take<std::array<double, 3>>(fmt::format("frames/{}/position", i));
-        frames_[i].velocity = in.take<std::array<double, 3>>(fmt::format("frames/{}/velocity", i));
-        frames_[i].cycle = in.take_one<std::int64_t>(fmt::format("frames/{}/cycle", i));
-        frames_[i].time_in_cycle = in.take_one<double>(fmt::format("frames/{}/time_in_cycle", i));
-    }
+    for (std::size_t i = 0; i < frames_.size(); ++i) frames_[i] = restore_frame(in, i);
 }
 
 void MdRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {

@@ -17,6 +17,10 @@ namespace shaken::app {
 /// The knobs of the method, from [md].
 md::Options md_options_of(const scene::Scene& scene);
 
+/// A kept frame in a checkpoint.
+void save_frame(files::CheckpointWriter& out, std::size_t number, const md::Snapshot& frame);
+md::Snapshot restore_frame(const files::CheckpointReader& in, std::size_t number);
+
 class MdRun {
   public:
     explicit MdRun(const scene::Scene& scene);

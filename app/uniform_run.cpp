@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: MIT
+#include "app/uniform_run.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numbers>
+
+#include "app/md_run.hpp"
+#include "files/atomic_write.hpp"
+#include "files/provenance.hpp"
+#include "md/h5md.hpp"
+#include "md/hard_sphere_theory.hpp"
+#include "scene/read_scene.hpp"
+
+namespace shaken::app {
+
+namespace {
+
+namespace theory = md::theory;
+
+/// What is recorded at every sample instant, in the order of UniformRun::advance_and_sample.
+const std::vector<std::string> columns{
+    "temperature", "fourth_cumulant", "kinetic_energy", "rotational_energy", "collision_loss",          "momentum_x",
+    "momentum_y",  "momentum_z",      "virial",         "pair_collisions",   "mean_square_displacement"};
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// The constant restitution of smooth spheres, where the scene has one.
+std::optional<double> constant_restitution(const scene::Scene& scene) {
+    const auto* constant = std::get_if<scene::RestitutionConstant>(&scene.particles.restitution);
+    const bool plain = scene.particles.friction.law == scene::FrictionLaw::none &&
+                       scene.particles.collapse == scene::CollapseRemedy::none;
+    return constant && plain ? std::optional(constant->e0) : std::nullopt;
+}
+
+/// Twice the intervals in which velocities are forgotten: by twenty collisions of a particle, and by the slowest shear
+/// wave of the box, whose decay carries the tail of the velocity correlation (Alder and Wainwright 1970), to exp(-3).
+/// In the second half displacements grow by 6 D t. 0 where the gas has no steady state, or moves too far between
+/// samples to be followed through the box.
+std::int64_t diffusion_window(const scene::Scene& scene) {
+    if (constant_restitution(scene) != 1.0) return 0;
+    const double root = std::sqrt(scene.initial.temperature);
+    constexpr double fastest = 6.0;  // in sqrt(T): one particle in 10^7 is faster
+    if (fastest * root * scene.uniform.interval > 0.5 * scene.box.x) return 0;
+    const double phi = scene.initial.volume_fraction, wave_number = 2.0 * std::numbers::pi / scene.box.x;
+    const double kinematic_viscosity = theory::viscosity(phi) / (6.0 * phi / std::numbers::pi);
+    const double forgets =
+        std::max(20.0 / theory::collision_rate(phi), 3.0 / (kinematic_viscosity * wave_number * wave_number)) / root;
+    return 2 * std::max<std::int64_t>(1, std::llround(std::ceil(forgets / scene.uniform.interval)));
+}
+
+Measured mean_of(std::string name, const std::vector<double>& blocks, std::optional<double> reference,
+                 std::string source) {
+    double sum = 0.0, square = 0.0;
+    for (const double b : blocks) sum += b;
+    const double count = static_cast<double>(blocks.size()), mean = sum / count;
+    for (const double b : blocks) square += (b - mean) * (b - mean);
+    const double error = blocks.size() > 1 ? std::sqrt(square / (count - 1.0) / count) : unknown;
+    return {std::move(name), mean, error, reference, std::move(source)};
+}
+
+}  // namespace
+
+UniformRun::UniformRun(const scene::Scene& scene)
+    : scene_(scene), simulation_(scene, md_options_of(scene)), series_(columns), window_(diffusion_window(scene)) {}
+
+void UniformRun::follow(const md::Snapshot& snapshot) {
+    const std::int64_t since = next_ - scene_.sample.settle;
+    if (since < 0) return;
+    if (since % window_ == 1 || window_ == 1 || moved_.empty()) moved_.assign(snapshot.position.size(), {});
+    if (since > 0)
+        for (std::size_t i = 0; i < moved_.size(); ++i)
+            for (std::size_t k = 0; k < 3; ++k) {
+                const double step = snapshot.position[i][k] - last_[i][k];
+                moved_[i][k] += step - scene_.box.x * std::nearbyint(step / scene_.box.x);
+            }
+    last_ = snapshot.position;
+}
+
+void UniformRun::advance_and_sample() {
+    simulation_.advance_to(next_, 0.0);
+    const md::Snapshot snapshot = simulation_.snapshot();
+    const auto count = static_cast<double>(snapshot.velocity.size());
+    double second = 0.0, fourth = 0.0;
+    for (const auto& v : snapshot.velocity) {
+        const double square = v[0] * v[0] + v[1] * v[1] + v[2] * v[2];
+        second += square / count;
+        fourth += square * square / count;
+    }
+    const double temperature = second / 3.0;
+    double displacement = unknown;
+    if (window_ > 0) {
+        follow(snapshot);
+        if (!moved_.empty()) {
+            displacement = 0.0;
+            for (const auto& m : moved_) displacement += (m[0] * m[0] + m[1] * m[1] + m[2] * m[2]) / count;
+        }
+    }
+    const md::Ledger l = simulation_.ledger();
+    series_.add(next_, static_cast<double>(next_) * scene_.uniform.interval,
+                std::array{temperature, fourth / (15.0 * temperature * temperature) - 1.0, l.kinetic, l.rotational,
+                           l.collision_loss, l.momentum[0], l.momentum[1], l.momentum[2], l.virial,
+                           static_cast<double>(simulation_.counters().pair_collisions), displacement});
+    // Frame j of F stands at the end of the j-th of F equal parts of the averaging time.
+    const std::int64_t since = next_ - scene_.sample.settle, frames = scene_.uniform.frames;
+    if (since > 0 && since * frames / scene_.sample.average > (since - 1) * frames / scene_.sample.average)
+        frames_.push_back(snapshot);
+    ++next_;
+}
+
+std::vector<Measured> UniformRun::results() const {
+    const auto first = static_cast<std::size_t>(scene_.sample.settle);
+    if (series_.rows() < first + 2) return {};
+    const std::size_t intervals = series_.rows() - 1 - first;
+    constexpr std::size_t most_blocks = 50;
+    const std::size_t blocks = std::min(intervals, most_blocks);
+    const auto count = static_cast<double>(scene_.number_of_particles);
+    const double phi = scene_.initial.volume_fraction;
+    const auto at = [&](std::size_t row, const char* column) { return series_.value(row, column); };
+
+    std::vector<double> compressibility, rate, cumulant, cooling, late;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        const std::size_t from = first + b * intervals / blocks, to = first + (b + 1) * intervals / blocks;
+        double heat = 0.0, speed = 0.0, shape = 0.0;  // integrals of T and sqrt(T); sum of a2
+        for (std::size_t k = from; k < to; ++k) {
+            // Exact where 1/sqrt(T) grows evenly, as it does while a gas cools by Haff's law. The total momentum is
+            // zero: 3 (N - 1) degrees of freedom hold 3 N T/2.
+            const double one = std::sqrt(at(k, "temperature") * count / (count - 1.0));
+            const double other = std::sqrt(at(k + 1, "temperature") * count / (count - 1.0));
+            const double ratio = one / other;
+            heat += scene_.uniform.interval * one * other;
+            speed +=
+                scene_.uniform.interval *
+                (std::abs(ratio - 1.0) < 1e-6 ? 0.5 * (one + other) : other * std::log(ratio) / (1.0 - 1.0 / ratio));
+            shape += at(k + 1, "fourth_cumulant");
+        }
+        const double elapsed = static_cast<double>(to - from) * scene_.uniform.interval;
+        compressibility.push_back(1.0 + (at(to, "virial") - at(from, "virial")) / (3.0 * count * heat));
+        rate.push_back(2.0 * (at(to, "pair_collisions") - at(from, "pair_collisions")) / (count * speed));
+        cumulant.push_back(shape / static_cast<double>(to - from));
+        const auto grown = [&](double power) {
+            return (std::pow(at(to, "temperature"), power) - std::pow(at(from, "temperature"), power)) / elapsed;
+        };
+        cooling.push_back(grown(-0.5));
+        late.push_back(grown(-0.875));
+    }
+    const std::optional<double> e = constant_restitution(scene_);
+    std::vector<Measured> all;
+    const Measured a2 = mean_of("fourth cumulant a2", cumulant, std::nullopt, "");
+    const std::string klm = "Kolafa, Labik and Malijevsky 2004";
+    const std::string inelastic = e == 1.0 ? "" : ", to first order in the measured a2";
+    all.push_back(mean_of("compressibility Z = p/(nT)", compressibility,
+                          e ? std::optional(theory::compressibility(phi, *e)) : std::nullopt,
+                          e == 1.0 ? klm : klm + " times (1 + e)/2"));
+    if (e == 1.0)
+        all.push_back(mean_of("compressibility Z = p/(nT)", compressibility,
+                              theory::compressibility_carnahan_starling(phi), "Carnahan and Starling 1969"));
+    all.push_back(mean_of("collision rate / sqrt(T)", rate,
+                          e ? std::optional(theory::collision_rate(phi, e == 1.0 ? 0.0 : a2.value)) : std::nullopt,
+                          "Enskog with chi of " + klm + inelastic));
+    all.push_back(a2);
+    if (e) {
+        all.back().reference = e == 1.0 ? 0.0 : theory::cooling_cumulant(*e);
+        all.back().source = e == 1.0 ? "Maxwell" : "van Noije and Ernst 1998, first order";
+    }
+    if (e && *e < 1.0)
+        all.push_back(mean_of("growth of 1/sqrt(T)", cooling, theory::cooling_rate(phi, *e, a2.value),
+                              "Haff 1983 with chi of " + klm + inelastic));
+    if (std::holds_alternative<scene::RestitutionVelocity>(scene_.particles.restitution) && blocks > 1) {
+        const auto half = late.begin() + static_cast<std::ptrdiff_t>(blocks / 2);
+        const Measured early = mean_of("", {late.begin(), half}, std::nullopt, "");
+        const Measured later = mean_of("", {half, late.end()}, std::nullopt, "");
+        const double ratio = later.value / early.value;
+        all.push_back({"growth of T^(-7/8), second half / first", ratio,
+                       ratio * std::hypot(early.error / early.value, later.error / later.value), 1.0,
+                       "T ~ t^(-8/7), the limit of T far below v0^2"});
+    }
+    if (window_ > 0) {
+        std::vector<double> diffusion;
+        const auto w = static_cast<std::size_t>(window_);
+        for (std::size_t end = first + w; end < series_.rows(); end += w) {
+            const double grown = at(end, "mean_square_displacement") - at(end - w / 2, "mean_square_displacement");
+            const double root = std::sqrt(at(end, "temperature"));
+            diffusion.push_back(grown / (6.0 * static_cast<double>(w / 2) * scene_.uniform.interval * root));
+        }
+        if (!diffusion.empty())
+            all.push_back(mean_of("self-diffusion / sqrt(T)", diffusion, theory::self_diffusion(phi, scene_.box.x),
+                                  "Erpenbeck and Wood 1991 in a cube of this side (Yeh and Hummer 2004)"));
+    }
+    return all;
+}
+
+void UniformRun::save(files::CheckpointWriter& out, const Spent& spent) const {
+    out.put_text("scene", scene::print_scene(scene_));
+    out.put_text("engine", name());
+    out.put("next_sample", next_);
+    out.put("spent", spent);
+    simulation_.save(out);
+    series_.save(out, "series/");
+    out.put("last", last_);
+    out.put("moved", moved_);
+    out.put("frames/count", static_cast<std::int64_t>(frames_.size()));
+    for (std::size_t i = 0; i < frames_.size(); ++i) save_frame(out, i, frames_[i]);
+}
+
+void UniformRun::restore(const files::CheckpointReader& in) {
+    next_ = in.take_one<std::int64_t>("next_sample");
+    simulation_.restore(in);
+    series_.restore(in, "series/");
+    last_ = in.take<std::array<double, 3>>("last");
+    moved_ = in.take<std::array<double, 3>>("moved");
+    frames_.resize(static_cast<std::size_t>(in.take_one<std::int64_t>("frames/count")));
+    for (std::size_t i = 0; i < frames_.size(); ++i) frames_[i] = restore_frame(in, i);
+}
+
+void UniformRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {
+    const std::filesystem::path aside = path.string() + ".part";
+    const md::Box box{scene_.box.x, scene_.box.y, scene_.box.ceiling, true, std::nullopt};
+    md::H5mdWriter writer(aside, box, {scene::print_scene(scene_), scene_.md.seed, parent});
+    for (const md::Snapshot& frame : frames_)
+        writer.append(frame, frame.cycle, static_cast<double>(frame.cycle) * scene_.uniform.interval);
+    files::Hdf5File& file = writer.file();
+    series_.write(file);
+    file.make_group("/run");
+    file.attribute("/run", "wall_seconds", spent.wall);
+    file.attribute("/run", "cpu_seconds", spent.cpu);
+    writer.close();
+    std::filesystem::rename(aside, path);
+
+    nlohmann::ordered_json summary = nlohmann::ordered_json::array();
+    for (const Measured& m : results()) {
+        nlohmann::ordered_json entry{{"name", m.name}, {"measured", m.value}, {"standard_error", m.error}};
+        if (m.reference) {
+            entry["reference"] = *m.reference;
+            entry["source"] = m.source;
+        }
+        summary.push_back(entry);
+    }
+    files::write_atomically(path.parent_path() / "summary.json", summary.dump(2) + "\n");
+}
+
+}  // namespace shaken::app

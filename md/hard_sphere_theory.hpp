@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// What the literature knows of the uniform hard-sphere gas, elastic or cooling, to hold runs against. Diameter and mass
+// 1; phi volume fraction, n = 6 phi/pi, Z = p/(nT), chi pair correlation at contact, e constant restitution,
+// a2 fourth cumulant of the velocity, <v^4> = 15 T^2 (1 + a2).
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace shaken::md::theory {
+
+/// Z of Kolafa, Labik and Malijevsky 2004 (Phys. Chem. Chem. Phys. 6, 2335), fluid branch, for phi up to about 0.5.
+inline double compressibility(double phi) {
+    constexpr double c[] = {1.0,       4.0,      6.0,        2.3647684, -0.8698551, 1.1062803,
+                            -1.095049, 0.637614, -0.2279397, 0.1098948, -0.00906797};
+    const double x = phi / (1.0 - phi);
+    double z = 0.0;
+    for (int k = 10; k >= 0; --k) z = z * x + c[k];
+    return z;
+}
+
+/// Z of Carnahan and Starling 1969.
+inline double compressibility_carnahan_starling(double phi) {
+    return (1.0 + phi + phi * phi - phi * phi * phi) / std::pow(1.0 - phi, 3);
+}
+
+/// chi from Z = 1 + 4 phi chi.
+inline double contact_value(double phi) { return (compressibility(phi) - 1.0) / (4.0 * phi); }
+
+/// Z of a gas of constant restitution: every collision transfers (1 + e)/2 of the elastic momentum.
+inline double compressibility(double phi, double e) { return 1.0 + 0.5 * (1.0 + e) * (compressibility(phi) - 1.0); }
+
+/// Collisions per particle and time over sqrt(T); a pair's collision counts for both. Enskog; the shape of the
+/// distribution enters as in van Noije and Ernst 1998.
+inline double collision_rate(double phi, double a2 = 0.0) {
+    return 4.0 * std::sqrt(std::numbers::pi) * (6.0 * phi / std::numbers::pi) * contact_value(phi) * (1.0 - a2 / 16.0);
+}
+
+/// Growth of 1/sqrt(T) with time in a cooling gas, Haff 1983: T = T0/(1 + t/tau)^2, 1/tau = rate sqrt(T0).
+inline double cooling_rate(double phi, double e, double a2 = 0.0) {
+    return 4.0 / std::sqrt(std::numbers::pi) * (1.0 - e * e) * phi * contact_value(phi) * (1.0 + 3.0 * a2 / 16.0);
+}
+
+/// a2 of a cooling gas to first order in Sonine polynomials, van Noije and Ernst 1998 (Granular Matter 1, 57). Direct
+/// simulation gives up to 0.002 less.
+inline double cooling_cumulant(double e) {
+    return 16.0 * (1.0 - e) * (1.0 - 2.0 * e * e) / (81.0 - 17.0 * e + 30.0 * e * e * (1.0 - e));
+}
+
+/// Shear viscosity over sqrt(T), Enskog.
+inline double viscosity(double phi) {
+    const double g = phi * contact_value(phi);
+    return std::sqrt(std::numbers::pi) / 6.0 * (6.0 * phi / std::numbers::pi) *
+           (5.0 / (16.0 * g) + 1.0 + 0.8 * (1.0 + 12.0 / std::numbers::pi) * g);
+}
+
+/// Self-diffusion over sqrt(T) of the infinite system: Enskog's with the correction of simulations, a polynomial of
+/// Erpenbeck and Wood 1991 (Phys. Rev. A 43, 4254), in a cube of the side L less 2.837 T/(6 pi eta L) (Yeh and Hummer
+/// 2004, J. Phys. Chem. B 108, 15873).
+inline double self_diffusion(double phi) {
+    const double n = 6.0 * phi / std::numbers::pi, x = n / std::numbers::sqrt2;
+    const double enskog = 1.01896 * 3.0 / (8.0 * n * std::sqrt(std::numbers::pi) * contact_value(phi));
+    return enskog * (1.0 + x * (0.054034 + x * (6.3656 - 10.9425 * x)));
+}
+inline double self_diffusion(double phi, double side) {
+    return self_diffusion(phi) - 2.837 / (6.0 * std::numbers::pi * viscosity(phi) * side);
+}
+
+}  // namespace shaken::md::theory
