@@ -69,11 +69,9 @@ int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spe
 template <class Run>
 int start(const std::string& engine, const EngineOptions& options) {
     const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
-    if (is_verification(scene.kind)) {
-        if (engine == "continuum") return run_verification(scene, options);
-        refuse_verification(scene, engine);
-    }
-    if (engine == "continuum") refuse_uniform(scene, engine);
+    if (engine == "continuum" && (is_verification(scene.kind) || scene.kind == scene::Kind::uniform))
+        return run_verification(scene, options);
+    refuse_verification(scene, engine);
     const EngineFiles files{options.out, engine};
     // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
     Run run(scene);
@@ -144,7 +142,8 @@ scene::Kind kind_of(const EngineOptions& options) {
 void refuse_uniform(const scene::Scene& scene, const std::string& command) {
     if (scene.kind == scene::Kind::uniform)
         throw scene::SceneError(
-            {}, fmt::format("shaken {}: a scene of kind uniform is for the MD alone so far; run it with: shaken md",
+            {}, fmt::format("shaken {}: a scene of kind uniform is for one engine at a time; run it with: "
+                            "shaken md or shaken continuum",
                             command));
 }
 

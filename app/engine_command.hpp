@@ -9,7 +9,7 @@
 
 namespace shaken::app {
 
-/// Throws scene::SceneError where another command than md is given a homogeneous gas.
+/// Throws scene::SceneError where a command of both engines is given a homogeneous gas.
 void refuse_uniform(const scene::Scene& scene, const std::string& command);
 
 /// Both return an exit code (done or stopped) and throw what goes wrong.

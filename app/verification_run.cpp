@@ -16,7 +16,8 @@ namespace shaken::app {
 
 bool is_verification(scene::Kind kind) {
     return kind == scene::Kind::riemann || kind == scene::Kind::piston || kind == scene::Kind::column ||
-           kind == scene::Kind::wave;
+           kind == scene::Kind::wave ||
+           kind == scene::Kind::cooling_flow;
 }
 
 void refuse_verification(const scene::Scene& scene, const std::string& command) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Runs of the kinds riemann, piston, column and wave, and their distance from the exact solution.
+// Runs of the kinds riemann, piston, column, wave, cooling_flow and uniform, and their distance from the exact solution.
 #pragma once
 
 #include <string>

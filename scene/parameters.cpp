@@ -14,7 +14,7 @@ std::string Range::text() const {
 }
 
 const std::vector<std::string>& kind_names() {
-    static const std::vector<std::string> names{"layer", "uniform", "riemann", "piston", "column", "wave"};
+    static const std::vector<std::string> names{"layer", "uniform", "riemann", "piston", "column", "wave", "cooling_flow"};
     return names;
 }
 
@@ -215,6 +215,11 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
             v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
             v.number({"amplitude", "", "of the density, relative"}, s.tube.amplitude, {0.0, 0.1, true});
             break;
+        case Kind::cooling_flow:
+            v.section("initial", "dilute gas of one density on a wall, warmest there, with a free surface at T = 0");
+            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.1, true});
+            v.number({"temperature", "g sigma", "granular temperature at the wall"}, s.tube.gas.temperature, positive);
+            break;
         case Kind::layer:
         case Kind::uniform:
             break;
@@ -241,6 +246,7 @@ void describe(Scene& s, ParameterVisitor& v) {
         case Kind::piston:
         case Kind::column:
         case Kind::wave:
+        case Kind::cooling_flow:
             describe_tube(s, v);
             break;
     }

@@ -208,6 +208,7 @@ void resolve(Scene& scene, const std::map<std::string, Place>& places, const Pla
         case Kind::piston:
         case Kind::column:
         case Kind::wave:
+        case Kind::cooling_flow:
             Resolver(scene, places, whole).tube();
             break;
     }

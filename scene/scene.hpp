@@ -27,7 +27,7 @@ struct Choice {
     Place place;
 };
 
-enum class Kind { layer, uniform, riemann, piston, column, wave };
+enum class Kind { layer, uniform, riemann, piston, column, wave, cooling_flow };
 
 struct Plate {
     double acceleration = 3.0;             // Gamma, peak acceleration over g
@@ -71,14 +71,14 @@ struct GasState {
     double temperature = 1.0;
 };
 
-/// A column of gas with an exact solution (the kinds riemann, piston, column and wave; continuum only).
+/// A column of gas with an exact solution (the kinds riemann, piston, column, wave and cooling_flow; continuum only).
 struct Tube {
     double length = 10.0;                                 // in sigma
     double time = 1.0;                                    // in sqrt(sigma/g)
     double restitution = 1.0;                             // constant e
     Choice lower{"open", {}}, upper{"open", {}};          // ends (riemann)
     GasState left{0.4, 0.0, 1.0}, right{0.05, 0.0, 1.0};  // riemann: below and above the middle
-    GasState gas{0.3, 0.0, 1.0};                          // piston, column (at the bottom), wave
+    GasState gas{0.3, 0.0, 1.0};                          // piston, column and cooling_flow (at the bottom), wave
     double speed = 1.0;                                   // of the piston
     double amplitude = 1e-4;                              // of the wave, relative
     std::optional<double> wall_temperature;               // of a heated bottom (column)

@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "continuum/exact/gas.hpp"
 
+#include <boost/numeric/odeint.hpp>
 #include <cmath>
 #include <numbers>
+
+#include "continuum/closures/effective_dissipation.hpp"
 
 namespace shaken::continuum::exact {
 
@@ -10,6 +13,16 @@ double cooled_temperature(double temperature, double restitution, double contact
     const double rate = 4.0 / std::sqrt(std::numbers::pi) * (1.0 - restitution * restitution) * contact_rate;
     const double root = 1.0 + rate * std::sqrt(temperature) * time;
     return temperature / (root * root);
+}
+
+double cooled_temperature(double temperature, const scene::Restitution& law, double contact_rate, double time) {
+    namespace odeint = boost::numeric::odeint;
+    const auto slope = [&](double t, double& change, double /*time*/) {
+        change = -8.0 / std::sqrt(std::numbers::pi) * effective_dissipation(law, t) * contact_rate * t * std::sqrt(t);
+    };
+    const auto stepper = odeint::make_controlled(0.0, 1e-12, odeint::runge_kutta_dopri5<double>());
+    odeint::integrate_adaptive(stepper, slope, temperature, 0.0, time, 1e-3 * time);
+    return temperature;
 }
 
 double sound_attenuation(double density, const Transport& transport, double specific_heat_at_constant_pressure) {

@@ -125,7 +125,8 @@ TEST_CASE("sound runs and fades as the linear theory says", "[validation]") {
     };
     const Verification v = run(4.0);
     REQUIRE(v.numbers.size() == 2);
-    // Truncation at 100 cells a wavelength; the next order of the theory, of order (Gamma k/c)^2 = 2e-4, slows the sound.
+    // Truncation at 100 cells a wavelength; the next order of the theory, of order (Gamma k/c)^2 = 2e-4, slows the
+    // sound.
     CHECK(v.numbers[0].relative_error() == Approx(0.0).margin(1e-3));
     // The scheme's own damping of the clipped crests and backward Euler's: a few per cent of the wave's.
     CHECK(v.numbers[1].relative_error() == Approx(0.0).margin(4e-2));
@@ -159,4 +160,48 @@ TEST_CASE("a piston is held against its exact shock", "[validation]") {
     CHECK(v.why_no_exact.empty());
     CHECK(v.volume_fraction_error < 1e-2);  // entropy noise of 1 % and two cells of the front
     CHECK(v.temperature_error < 3e-2);
+}
+
+TEST_CASE("a uniform scene cools by Haff's law, or by the equation of its e(v)", "[validation]") {
+    scene::Scene scene;
+    scene.kind = scene::Kind::uniform;
+    scene.initial.volume_fraction = 0.2;
+    scene.initial.temperature = 1.0;
+    scene.box.x = 10.0;
+    scene.uniform.settle = 0.0;
+    scene.uniform.duration = 20.0;
+    scene.particles.restitution = scene::RestitutionConstant{0.9};
+    const Verification haff = verify(scene);
+    REQUIRE(haff.why_no_exact.empty());
+    CHECK(haff.temperature.front() < 0.1);
+    CHECK(haff.temperature_error < 1e-11);  // round-off
+    scene.particles.restitution = scene::RestitutionVelocity{0.7, 1.0};
+    const Verification slowed = verify(scene);
+    CHECK(slowed.temperature.front() < 0.1);
+    CHECK(slowed.temperature_error < 1e-3);  // truncation: D(T) is taken anew every step
+}
+
+TEST_CASE("gas that cools streams to a wall as the exact cooling flow does", "[validation]") {
+    const auto run = [](double spacing) {
+        scene::Scene scene = tube(scene::Kind::cooling_flow, 5.0e6, 2.2e6, spacing);
+        scene.tube.restitution = 0.9;
+        scene.tube.gas.volume_fraction = 1e-6;
+        scene.continuum.transport.name = "inviscid";
+        return verify(scene);
+    };
+    const Verification coarse = run(2.5e4), fine = run(6.25e3);
+    REQUIRE(fine.why_no_exact.empty());
+    // At the wall 1/(1 - t/t*)^2 times what it was, t* = 3.896e6.
+    CHECK(fine.exact_volume_fraction.front() == Approx(5.3e-6).epsilon(0.01));
+    // Away from the free surface, where the density falls to nothing at once, the flow is smooth: second order.
+    const auto error_below = [](const Verification& v, double height) {
+        double difference = 0.0, size = 0.0;
+        for (std::size_t i = 0; i < v.height.size() && v.height[i] < height; ++i) {
+            difference += std::abs(v.volume_fraction[i] - v.exact_volume_fraction[i]);
+            size += v.exact_volume_fraction[i];
+        }
+        return difference / size;
+    };
+    CHECK(std::log(error_below(coarse, 5.0e5) / error_below(fine, 5.0e5)) / std::log(4.0) > 1.8);
+    CHECK(error_below(fine, 5.0e5) < 5e-5);
 }
