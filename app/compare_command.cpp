@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numeric>
+#include <optional>
 
 #include "app/child_process.hpp"
 #include "app/exit_codes.hpp"
@@ -49,24 +50,62 @@ compare::Cost cost_of(const files::Hdf5File& file) {
     return cost;
 }
 
-compare::Cost md_cost(const files::Hdf5File& file, const scene::Scene& scene) {
-    compare::Cost cost = cost_of(file);
-    std::vector<double> cycles = per_cycle(file.read<double>("/observables/pair_collisions/value"), scene);
-    const auto n = static_cast<double>(cycles.size());
-    for (double& collisions : cycles) collisions /= static_cast<double>(scene.number_of_particles);
-    const double mean = std::accumulate(cycles.begin(), cycles.end(), 0.0) / n;
-    double spread = 0.0;
-    for (const double collisions : cycles) spread += (collisions - mean) * (collisions - mean);
-    cost.collisions_per_particle_per_cycle = mean;
-    if (cycles.size() > 1) cost.collisions_per_particle_per_cycle_error = std::sqrt(spread / (n * (n - 1.0)));
-    return cost;
-}
+/// What several runs of one layer took: sums of time, means over all their cycles.
+class CostOfRuns {
+  public:
+    void add(const files::Hdf5File& file, const scene::Scene& scene) {
+        const compare::Cost own = cost_of(file);
+        const auto sum = [](std::optional<double>& total, std::optional<double> part) {
+            if (part) total = total.value_or(0.0) + *part;
+        };
+        sum(cost_.wall_seconds, own.wall_seconds);
+        sum(cost_.cpu_seconds, own.cpu_seconds);
+        for (const double count : per_cycle(file.read<double>("/observables/pair_collisions/value"), scene))
+            collisions_.push_back(count / static_cast<double>(scene.number_of_particles));
+    }
+    compare::Cost mean() const {
+        compare::Cost cost = cost_;
+        const auto n = static_cast<double>(collisions_.size());
+        const double mean = std::accumulate(collisions_.begin(), collisions_.end(), 0.0) / n;
+        double spread = 0.0;
+        for (const double collisions : collisions_) spread += (collisions - mean) * (collisions - mean);
+        cost.collisions_per_particle_per_cycle = mean;
+        if (n > 1.0) cost.collisions_per_particle_per_cycle_error = std::sqrt(spread / (n * (n - 1.0)));
+        return cost;
+    }
+
+  private:
+    compare::Cost cost_;
+    std::vector<double> collisions_;  // per particle, one entry a cycle
+};
 
 compare::Cost continuum_cost(const files::Hdf5File& file, const scene::Scene& scene) {
     compare::Cost cost = cost_of(file);
     const std::vector<double> cycles = per_cycle(file.read<double>("/observables/steps/value"), scene);
     cost.steps_per_cycle = std::accumulate(cycles.begin(), cycles.end(), 0.0) / static_cast<double>(cycles.size());
     return cost;
+}
+
+scene::Scene scene_of(const files::Hdf5File& file, const std::filesystem::path& path) {
+    return scene::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
+}
+
+/// The part of a scene that makes two runs runs of one layer, sampled alike.
+std::string what_both_engines_share(scene::Scene scene) {
+    const scene::Scene any;
+    scene.name = any.name;
+    scene.initial = any.initial;
+    scene.md = any.md;
+    scene.continuum = any.continuum;
+    scene.sample.settle = any.sample.settle;
+    scene.sample.average = any.sample.average;
+    scene.sample.frames = any.sample.frames;
+    return scene::print_scene(scene);
+}
+
+fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle) {
+    const fields::PhaseMoments moments = fields::PhaseMoments::read(file, "/profiles");
+    return first_cycle ? moments.first_cycle() : moments;
 }
 
 void print_number(const nlohmann::ordered_json& of, const std::string& name, const std::string& key) {
@@ -97,22 +136,42 @@ void print_summary(const nlohmann::ordered_json& summary) {
 
 }  // namespace
 
-int run_compare(const std::filesystem::path& folder) {
-    const files::Hdf5File md_file = open_output(folder, "md"), continuum_file = open_output(folder, "continuum");
-    const std::string text = md_file.read_text("/provenance/scene");
-    if (continuum_file.read_text("/provenance/scene") != text) {
-        throw files::Damaged(fmt::format("{}: md.h5 and continuum.h5 are of different scenes", folder.string()));
+int run_compare(const CompareOptions& options) {
+    const std::filesystem::path& folder = options.folder;
+    const std::vector<std::filesystem::path> md_folders =
+        options.md.empty() ? std::vector<std::filesystem::path>{folder} : options.md;
+    const std::filesystem::path continuum_folder = options.continuum.empty() ? folder : options.continuum;
+    const files::Hdf5File continuum_file = open_output(continuum_folder, "continuum");
+    const scene::Scene scene = scene_of(continuum_file, continuum_folder / "continuum.h5");
+    std::optional<fields::PhaseMoments> md_moments;
+    CostOfRuns md_cost;
+    for (const std::filesystem::path& md_folder : md_folders) {
+        const files::Hdf5File file = open_output(md_folder, "md");
+        const scene::Scene own = scene_of(file, md_folder / "md.h5");
+        if (what_both_engines_share(own) != what_both_engines_share(scene)) {
+            throw files::Damaged(
+                fmt::format("{} and {}: runs of different scenes; only seeds, start, length and [continuum] may differ",
+                            (md_folder / "md.h5").string(), (continuum_folder / "continuum.h5").string()));
+        }
+        const fields::PhaseMoments moments = moments_of(file, options.first_cycle);
+        if (md_moments) {
+            md_moments->append(moments);
+        } else {
+            md_moments = moments;
+        }
+        md_cost.add(file, own);
     }
-    const scene::Scene scene = scene::parse_scene(text, (folder / "md.h5").string() + " (scene)");
     const compare::Medium medium = compare::medium_of(scene);
-    const auto md = compare::measure(fields::PhaseMoments::read(md_file, "/profiles"), scene.motion, medium);
-    const auto continuum =
-        compare::measure(fields::PhaseMoments::read(continuum_file, "/profiles"), scene.motion, medium);
+    const auto md = compare::measure(*md_moments, scene.motion, medium);
+    const auto continuum = compare::measure(moments_of(continuum_file, options.first_cycle), scene.motion, medium);
+    std::filesystem::create_directories(folder);
     const std::filesystem::path aside = folder / "compare.h5.part";
-    compare::write_compare_file(aside, md, continuum, medium, {text, scene.md.seed, ""});
+    compare::write_compare_file(aside, md, continuum, medium, {scene::print_scene(scene), scene.md.seed, ""});
     std::filesystem::rename(aside, folder / "compare.h5");
-    const auto summary =
-        compare::summarise(md, continuum, scene, md_cost(md_file, scene), continuum_cost(continuum_file, scene));
+    auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
+    for (const std::filesystem::path& md_folder : md_folders)
+        summary["runs"]["md"].push_back(std::filesystem::absolute(md_folder).lexically_normal().string());
+    summary["runs"]["continuum"] = std::filesystem::absolute(continuum_folder).lexically_normal().string();
     files::write_atomically(folder / "summary.json", summary.dump(2) + "\n");
     print_summary(summary);
     return exit_code::done;

@@ -149,7 +149,15 @@ int dispatch(int argc, char** argv) {
     auto* compare =
         command.add_subcommand("compare", "compare what both engines left in a folder: compare.h5, summary.json");
     auto* report = command.add_subcommand("report", "draw the figures and report.html of a compared folder");
-    for (CLI::App* sub : {compare, report}) sub->add_option("DIR", folder, "run folder")->required();
+    report->add_option("DIR", folder, "run folder")->required();
+    CompareOptions compare_options;
+    compare->add_option("DIR", compare_options.folder, "run folder, or where to put a comparison of others")
+        ->required();
+    compare->add_option("--md", compare_options.md, "run folder of the MD; several are averaged (default: DIR)")
+        ->allow_extra_args(false);
+    compare->add_option("--continuum", compare_options.continuum, "run folder of the continuum (default: DIR)");
+    compare->add_flag("--first-cycle", compare_options.first_cycle,
+                      "of runs that start from a file: one cycle, from the phase where they started");
     PatternsOptions patterns_options;
     auto* patterns = command.add_subcommand("patterns", "size, order and growth of a run's horizontal pattern");
     add_pattern_options(*patterns, patterns_options);
@@ -216,7 +224,7 @@ int dispatch(int argc, char** argv) {
     if (*continuum) code = run_continuum(options);
     if (*bench && *bench_md) code = run_md_bench(md_options);
     if (*bench && *bench_continuum) code = run_continuum_bench(continuum_options);
-    if (*compare) code = run_compare(folder);
+    if (*compare) code = run_compare(compare_options);
     if (*patterns) code = run_patterns(patterns_options);
     if (*swift_hohenberg) code = run_swift_hohenberg(model_options);
     if (*fit_noise) code = run_fit_noise(fit_options);

@@ -117,7 +117,7 @@ int run_both(const EngineOptions& options) {
         spdlog::warn("stopped; go on with: shaken run --resume {}", folder.string());
         return exit_code::stopped;
     }
-    run_compare(folder);
+    run_compare({folder, {}, {}, false});
     run_report(folder);
     spdlog::info("the report is {}", (folder / "report.html").string());
     return exit_code::done;

@@ -73,9 +73,9 @@ void fill_from_file(Setup& setup, const scene::Scene& scene, const std::vector<d
     if (std::abs(instant - std::round(instant)) > 1e-9 * static_cast<double>(scene.sample.phases))
         throw scene::SceneError({}, fmt::format("initial.phase = {} is no sample instant of sample.phases = {}",
                                                 scene.initial.phase, scene.sample.phases));
-    if (setup.start_phase > 0 && scene.sample.settle < 1)
+    if (setup.start_phase > 0 && scene.sample.settle + scene.sample.average < 2)
         throw scene::SceneError({},
-                                "initial.phase above 0 needs sample.settle of at least 1: the first cycle is short");
+                                "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
     const Grid& grid = setup.grid;
     const StoredFlow stored = read_flow(scene.initial.file, scene.initial.phase);
     double sum = 0.0;

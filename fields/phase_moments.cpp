@@ -139,6 +139,45 @@ std::pair<double, double> PhaseMoments::mean_centre_of_mass(std::int64_t phase,
     return {mean, error};
 }
 
+void PhaseMoments::append(const PhaseMoments& other) {
+    const bool is_alike = phases_ == other.phases_ && bins_.lower == other.bins_.lower &&
+                          bins_.width == other.bins_.width && bins_.count == other.bins_.count && area_ == other.area_;
+    // Whole blocks of one length, so that cycles still fall into their own blocks when they are counted through.
+    const bool is_even = cycles_ % blocks_ == 0 && other.cycles_ % other.blocks_ == 0 &&
+                         cycles_ / blocks_ == other.cycles_ / other.blocks_;
+    if (!is_alike || !is_even) {
+        throw std::invalid_argument(fmt::format(
+            "runs cannot be averaged: {} and {} phases, {} and {} bins, {} and {} cycles in {} and {} blocks", phases_,
+            other.phases_, bins_.count, other.bins_.count, cycles_, other.cycles_, blocks_, other.blocks_));
+    }
+    sums_.insert(sums_.end(), other.sums_.begin(), other.sums_.end());
+    samples_.insert(samples_.end(), other.samples_.begin(), other.samples_.end());
+    centre_of_mass_.insert(centre_of_mass_.end(), other.centre_of_mass_.begin(), other.centre_of_mass_.end());
+    blocks_ += other.blocks_;
+    cycles_ += other.cycles_;
+}
+
+PhaseMoments PhaseMoments::first_cycle() const {
+    if (blocks_ != cycles_) {
+        throw std::invalid_argument(
+            fmt::format("single cycles are kept of up to ten averaged; this run averaged {}", cycles_));
+    }
+    PhaseMoments first(phases_, bins_, area_, 1, 1);
+    const auto of_phase = static_cast<std::size_t>(bins_.count * moments);
+    for (std::int64_t phase = 0; phase < phases_; ++phase) {
+        const auto p = static_cast<std::size_t>(phase);
+        for (std::int64_t cycle = 0; cycle < cycles_; ++cycle) {
+            const auto i = static_cast<std::size_t>(cycle * phases_ + phase);
+            if (samples_[i] == 0) continue;
+            first.samples_[p] = samples_[i];
+            first.centre_of_mass_[p] = centre_of_mass_[i];
+            std::copy_n(&sums_[offset(cycle, phase, 0)], of_phase, &first.sums_[first.offset(0, phase, 0)]);
+            break;
+        }
+    }
+    return first;
+}
+
 void PhaseMoments::save(files::CheckpointWriter& out, const std::string& prefix) const {
     out.put(prefix + "sums", sums_);
     out.put(prefix + "samples", samples_);

@@ -56,6 +56,13 @@ class PhaseMoments {
     std::pair<double, double> mean_centre_of_mass(std::int64_t phase,
                                                   std::optional<std::int64_t> left_out_block = std::nullopt) const;
 
+    /// Takes the blocks of another run of the same layer in after its own: the average is then over both, and errors
+    /// are over the blocks of both. Throws std::invalid_argument unless phases, bins, area and cycles in a block agree.
+    void append(const PhaseMoments& other);
+    /// Of every phase the first cycle that has it, as one block: a run that began in the middle of a cycle, followed
+    /// until that phase comes again. Throws std::invalid_argument where cycles share a block, since a block keeps sums.
+    PhaseMoments first_cycle() const;
+
     void save(files::CheckpointWriter& out, const std::string& prefix) const;
     void restore(const files::CheckpointReader& in, const std::string& prefix);
     void write(files::Hdf5File& file, const std::string& group) const;

@@ -154,3 +154,33 @@ TEST_CASE("what one engine would refuse ends the run before the other begins") {
     CHECK(result.code == 65);
     CHECK_THAT(result.text, Contains("continuum.flux = \"hlc\" is unknown"));
 }
+
+TEST_CASE("runs with other seeds are averaged, runs of another layer refused") {
+    const support::TemporaryFolder folder;
+    const auto at = [&](const std::string& name) { return (folder / name).string(); };
+    const auto ran = [&](const std::string& engine, const std::string& name, const std::string& set) {
+        return shaken(engine + " " + small_scene + " -q --out " + at(name) + set).code == 0;
+    };
+    REQUIRE(ran("md", "a", ""));
+    REQUIRE(ran("md", "b", " --set md.seed=2 --set initial.seed=2"));
+    REQUIRE(ran("md", "c", " --set particles.restitution=0.95"));
+    REQUIRE(ran("continuum", "h", " --set continuum.closure=garzo_dufty"));
+    const std::string h = " --continuum " + at("h");
+    const auto compared = [&](const std::string& name, const std::string& runs) {
+        const auto result = shaken("compare " + at(name) + runs + h);
+        INFO(result.text);
+        REQUIRE(result.code == 0);
+        return nlohmann::json::parse(support::content_of(at(name) + "/summary.json"));
+    };
+    const auto a = compared("of_a", " --md " + at("a")), b = compared("of_b", " --md " + at("b")),
+               both = compared("of_both", " --md " + at("a") + " --md " + at("b"));
+    CHECK(both["runs"]["md"].size() == 2);
+    for (std::size_t k = 0; k < 20; ++k) {
+        const double mean = 0.5 * (a["md"]["zcm"][k].get<double>() + b["md"]["zcm"][k].get<double>());
+        CHECK(both["md"]["zcm"][k].get<double>() == Approx(mean).epsilon(1e-12));  // round-off
+    }
+    const auto other = shaken("compare " + at("d") + " --md " + at("a") + " --md " + at("c") + h);
+    CHECK(other.code == 65);
+    CHECK_THAT(other.text, Contains("runs of different scenes"));
+    CHECK_FALSE(std::filesystem::exists(folder / "d"));
+}

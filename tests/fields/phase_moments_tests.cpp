@@ -161,3 +161,48 @@ TEST_CASE("impossible averages are refused") {
     CHECK_THROWS_AS(moments.begin_sample(1, 0), std::out_of_range);
     CHECK_THROWS_AS(moments.begin_sample(0, 2), std::out_of_range);
 }
+
+TEST_CASE("averaging over two runs is averaging over all their cycles, with the errors of all their blocks") {
+    const Bins bins{0.0, 0.5, 20};
+    PhaseMoments one(2, bins, 25.0, 4, 2), other(2, bins, 25.0, 2, 1), all(2, bins, 25.0, 6, 3);
+    for (std::int64_t cycle = 0; cycle < 6; ++cycle) {
+        PhaseMoments& own = cycle < 4 ? one : other;
+        own.begin_sample(cycle % 4, 1);
+        all.begin_sample(cycle, 1);
+        for (const Particle& p : random_particles(50, 20 + static_cast<unsigned>(cycle))) {
+            own.add_particle(p.height, p.velocity);
+            all.add_particle(p.height, p.velocity);
+        }
+        own.set_centre_of_mass(static_cast<double>(cycle));
+        all.set_centre_of_mass(static_cast<double>(cycle));
+    }
+    one.append(other);
+    CHECK(one.blocks() == 3);
+    CHECK(one.cycles() == 6);
+    CHECK(one.mean_centre_of_mass(1).first == 2.5);
+    CHECK(one.mean_centre_of_mass(1).second == all.mean_centre_of_mass(1).second);
+    for (const std::optional<std::int64_t> left_out : {std::optional<std::int64_t>{}, std::optional<std::int64_t>{2}}) {
+        CHECK(one.profile(1, motion, left_out).density == all.profile(1, motion, left_out).density);
+        CHECK(one.profile(1, motion, left_out).temperature == all.profile(1, motion, left_out).temperature);
+    }
+    CHECK_THROWS_AS(one.append(PhaseMoments(4, bins, 25.0, 2, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(one.append(PhaseMoments(2, bins, 25.0, 3, 1)), std::invalid_argument);
+}
+
+TEST_CASE("the first cycle of a run that began in its middle has every phase once, the earliest") {
+    const Bins bins{0.0, 0.5, 20};
+    PhaseMoments moments(4, bins, 25.0, 2, 2);
+    const auto sample = [&](std::int64_t cycle, std::int64_t phase) {
+        moments.begin_sample(cycle, phase);
+        moments.add_particle(1.0, {0.0, 0.0, static_cast<double>(10 * cycle + phase)});
+        moments.set_centre_of_mass(static_cast<double>(10 * cycle + phase));
+    };
+    for (std::int64_t phase = 2; phase < 4; ++phase) sample(0, phase);
+    for (std::int64_t phase = 0; phase < 4; ++phase) sample(1, phase);
+    const PhaseMoments first = moments.first_cycle();
+    const std::vector<double> expected{10.0, 11.0, 2.0, 3.0};
+    CHECK(first.centre_of_mass() == expected);
+    for (std::int64_t phase = 0; phase < 4; ++phase)
+        CHECK(first.profile(phase, motion).velocity[2] == expected[static_cast<std::size_t>(phase)]);
+    CHECK_THROWS_AS(PhaseMoments(4, bins, 25.0, 20, 10).first_cycle(), std::invalid_argument);
+}

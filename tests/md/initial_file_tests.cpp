@@ -114,6 +114,7 @@ TEST_CASE("a start that the scene contradicts is refused with what is there") {
     CHECK_THROWS_WITH(md::Simulation(other), Catch::Contains("is no sample instant of sample.phases = 30"));
     other = scene;
     other.sample.settle = 0;
+    other.sample.average = 1;
     CHECK_THROWS_AS(md::Simulation(other), scene::SceneError);
     other.initial.file = folder.path() / "absent";
     CHECK_THROWS_AS(md::Simulation(other), files::NoInput);
