@@ -18,6 +18,7 @@
 #include "app/patterns_command.hpp"
 #include "app/run_command.hpp"
 #include "app/swift_hohenberg_command.hpp"
+#include "continuum/names.hpp"
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 #include "scene/errors.hpp"
@@ -121,6 +122,14 @@ std::string unknown_command(const CLI::App& command, int argc, char** argv) {
     return near.empty() ? message : message + fmt::format("; did you mean {}?", near);
 }
 
+/// The keys of a scene, and the names that those chosen by name can have.
+std::string every_key() {
+    std::string text = scene::list_parameters() + "\n# names in [continuum]\n";
+    for (const auto& [key, names] : continuum::known_names())
+        text += fmt::format("# {}: {}\n", key, fmt::join(names, ", "));
+    return text;
+}
+
 /// To stderr, whether or not it can be written: the exit code says it too.
 void say(const std::string& text) { std::fputs(text.c_str(), stderr); }
 
@@ -199,7 +208,9 @@ int dispatch(int argc, char** argv) {
     bench_md->add_option("--volume-fraction", md_options.volume_fraction, "of the gas")
         ->check(CLI::Range(1e-6, 0.6))
         ->excludes(bench_scene);
-    bench_md->add_option("--collisions", md_options.collisions, "pair collisions timed")->excludes(bench_scene);
+    bench_md->add_option("--collisions", md_options.collisions, "pair collisions timed")
+        ->check(CLI::Range(std::int64_t{1}, std::int64_t{1000000000000}))
+        ->excludes(bench_scene);
     ContinuumBench continuum_options;
     auto* bench_continuum = bench->add_subcommand("continuum", "a shaken layer on a grid");
     bench_continuum->add_option("--dimension", continuum_options.dimension, "1, 2 or 3")->check(CLI::Range(1, 3));
@@ -230,7 +241,7 @@ int dispatch(int argc, char** argv) {
     if (*fit_noise) code = run_fit_noise(fit_options);
     if (*report) code = run_report(folder);
     if (*scene_command)
-        fmt::print("{}", list_keys ? scene::list_parameters()
+        fmt::print("{}", list_keys ? every_key()
                                    : scene::print_scene(scene::read_scene(options.scene_file, options.overrides)));
     return code;
 }

@@ -213,6 +213,8 @@ PhaseMoments PhaseMoments::read(const files::Hdf5File& file, const std::string& 
     result.sums_ = file.read<double>(group + "/sums");
     result.samples_ = file.read<std::int64_t>(group + "/samples");
     result.centre_of_mass_ = file.read<double>(group + "/centre_of_mass");
+    if (!std::all_of(result.sums_.begin(), result.sums_.end(), [](double x) { return std::isfinite(x); }))
+        throw files::Damaged(fmt::format("{}/sums: holds what is not a number", group));
     return result;
 }
 

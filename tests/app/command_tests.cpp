@@ -40,7 +40,8 @@ TEST_CASE("the resolved scene is a scene, and the keys are listed with units and
     const std::string first = (folder / "a.toml").string();
     CHECK(shaken(std::string("scene ") + small_scene + " > " + first).code == 0);
     CHECK(shaken("scene " + first).text == support::content_of(first));
-    CHECK_THAT(shaken("scene --keys").text, Contains("acceleration") && Contains("in sqrt(g/sigma)"));
+    CHECK_THAT(shaken("scene --keys").text,
+               Contains("acceleration") && Contains("in sqrt(g/sigma)") && Contains("closure: jenkins_richman"));
 }
 
 TEST_CASE("a name that no table has is refused with its place before anything runs long") {

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <random>
 
+#include "files/errors.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
@@ -152,6 +153,19 @@ TEST_CASE("sums go on from a checkpoint and from a file as if never put down") {
     const PhaseMoments read = PhaseMoments::read(files::Hdf5File(folder / "a.h5", files::Open::read), "/profiles");
     CHECK(read.profile(1, motion).density == straight.profile(1, motion).density);
     CHECK(read.mean_centre_of_mass(1) == straight.mean_centre_of_mass(1));
+}
+
+TEST_CASE("a file that holds what is not a number is refused") {
+    const support::TemporaryFolder folder;
+    PhaseMoments moments(1, Bins{0.0, 1.0, 10}, 25.0, 1, 1);
+    moments.begin_sample(0, 0);
+    moments.add_particle(1.5, {0.0, std::nan(""), 0.0});
+    {
+        files::Hdf5File file(folder / "a.h5", files::Open::create);
+        moments.write(file, "/profiles");
+    }
+    CHECK_THROWS_AS(PhaseMoments::read(files::Hdf5File(folder / "a.h5", files::Open::read), "/profiles"),
+                    files::Damaged);
 }
 
 TEST_CASE("impossible averages are refused") {
