@@ -2,8 +2,9 @@
 // Garzo & Dufty 1999: Navier-Stokes coefficients of the revised Enskog equation for any restitution, first Sonine
 // polynomial, with the heat flux along the density gradient, q = -kappa grad T - mu grad n. With the fourth cumulant
 //   c* = 32 (1 - e)(1 - 2 e^2) / (81 - 17 e + 30 e^2 (1 - e))
-// the cooling rate is that of a Maxwellian times 1 + (3/32) c*; its part in div u is left out. Formulas written from
-// the published set (equations unchecked against the paper); at e = 1 they are Enskog's, hence Jenkins and Richman's.
+// the cooling rate is that of a Maxwellian times 1 + (3/32) c*; its part in div u is left out. Every
+// coefficient agrees, term by term, with those of an independent program (MFiX, its kinetic theory GD_99); at e = 1 they
+// are Enskog's, hence Jenkins and Richman's.
 // Coefficients in units of the dilute elastic ones, eta0 = (5/16) sqrt(T/pi), kappa0 = (75/64) sqrt(T/pi).
 #pragma once
 
