@@ -164,8 +164,9 @@ std::vector<Measured> UniformRun::results() const {
                           "Enskog with chi of " + klm + inelastic));
     all.push_back(a2);
     if (e) {
-        all.back().reference = e == 1.0 ? 0.0 : theory::cooling_cumulant(*e);
-        all.back().source = e == 1.0 ? "Maxwell" : "van Noije and Ernst 1998, first order";
+        all.back().reference = e == 1.0 ? -2.0 / (3.0 * count - 1.0) : theory::cooling_cumulant(*e);
+        all.back().source =
+            e == 1.0 ? "Maxwell, of N particles with one energy" : "van Noije and Ernst 1998, first order";
     }
     if (e && *e < 1.0)
         all.push_back(mean_of("growth of 1/sqrt(T)", cooling, theory::cooling_rate(phi, *e, a2.value),

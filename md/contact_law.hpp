@@ -2,7 +2,10 @@
 // All that a scene says of contacts, as one template argument of the event loop: what is not asked for is not compiled.
 #pragma once
 
+#include <type_traits>
+
 #include "md/friction_law.hpp"
+#include "scene/restitution.hpp"
 
 namespace shaken::md {
 
@@ -19,6 +22,8 @@ struct ElasticContacts {
 template <class Restitution, bool Frictional, bool Remedied>
 struct ContactLaw {
     static constexpr bool frictional = Frictional, remedied = Remedied;
+    /// Whether slow contacts lose as large a part of their energy as fast ones do.
+    static constexpr bool collapses = !Remedied && std::is_same_v<Restitution, scene::RestitutionConstant>;
     Restitution restitution;
     WaltonFriction friction;
     ElasticContacts elastic;

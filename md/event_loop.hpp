@@ -8,6 +8,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "md/collapse_watch.hpp"
 #include "md/collision_law.hpp"
 #include "md/engine.hpp"
 #include "md/event_queue.hpp"
@@ -55,7 +56,6 @@ class EventLoop final : public Engine {
     void sort_in_space();
     double epoch_end() const { return period_ * (epoch_ + 1) / epochs_; }
     void note_contact(ContactEvent::Kind kind, std::uint32_t i, std::uint32_t j);
-    void look_for_collapse();
     /// Time since the latest contact of either before this one, and that they have one now; 0 where nobody asks.
     double since_last_contact(std::uint32_t i, std::uint32_t j);
     Vector3 spin(std::uint32_t i) const { return spins_.empty() ? Vector3{} : spins_[particles_[i].id]; }
@@ -87,9 +87,7 @@ class EventLoop final : public Engine {
     std::uint32_t last_first_ = 0, last_second_ = 0;
     std::int64_t contacts_at_sort_ = 0;
     std::int64_t events_at_epoch_start_ = 0;
-    std::int64_t stall_mark_events_ = 0;
-    std::int64_t stall_mark_pairs_ = 0, short_spells_ = 0;
-    double stall_mark_time_ = 0.0, stall_mark_virial_ = 0.0;
+    CollapseWatch watch_;
 };
 
 }  // namespace shaken::md

@@ -22,21 +22,6 @@ inline constexpr double slowest_rebound = 1e-4;
 /// A contact farther than this from touching means a broken invariant, not round-off.
 inline constexpr double contact_tolerance = 1e-7;
 
-/// This many contacts within stall_time are an inelastic collapse: a million particles at contact rate 100 each need
-/// four orders of magnitude longer.
-inline constexpr std::int64_t stall_events = 100000;
-inline constexpr double stall_time = 1e-7;
-
-/// Mean path of two particles towards each other from contact to contact, in sigma, below which a run is given up as
-/// collapsing. In a collapse this path goes to zero while contacts become ever more frequent (McNamara and Young
-/// 1994); spheres of a millimetre are neither round nor rigid to 2 nm. Layers that do not collapse stay far above it:
-/// the shortest paths seen were 3e-4 (ch4, e = 0.8), 4e-4 (e(v) shaken) and 1.3e-5 (e(v), at rest on the plate).
-/// A periodic box of whole diameters is a trap: a full row of touching spheres has no free path at all (6 x 7).
-inline constexpr double stall_path = 2e-6;
-
-/// So long such paths must last: this many contacts of each particle, and at most fifty times stall_events in all.
-inline constexpr double stall_contacts = 250.0;
-
 /// The widest sum of two half shells: what the options say, or the default, within what the box allows.
 double choose_shell(const Setup& setup);
 
@@ -55,7 +40,8 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
       now_(setup.start.time_in_cycle),
       particles_(setup.start.position.size()),
       neighbours_(setup.box, choose_shell(setup), particles_.size()),
-      queue_(particles_.size()) {
+      queue_(particles_.size()),
+      watch_(Law::collapses, static_cast<double>(particles_.size())) {
     for (std::size_t i = 0; i < particles_.size(); ++i) {
         const auto& r = setup.start.position[i];
         const auto& v = setup.start.velocity[i];
@@ -67,7 +53,7 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
     }
     if (Law::remedied) last_contacts_.assign(particles_.size(), -never);
     frame_.gravity = Layered ? 1.0 : 0.0;
-    stall_mark_time_ = now_;
+    watch_.start(now_);
     sort_in_space();
     begin_epoch();
 }
@@ -92,6 +78,14 @@ void EventLoop<Law, Layered>::begin_epoch() {
         highest_plate_ = now_ <= top && top <= epoch_end()
                              ? 2.0 * box_.plate->amplitude
                              : std::max(box_.plate->position(now_), box_.plate->position(epoch_end()));
+    }
+    if constexpr (Layered) {
+        watch_.begin_epoch(1.0);
+    } else {
+        double square = 0.0;
+        for (const Particle& p : particles_)
+            square += p.velocity_x * p.velocity_x + p.velocity_y * p.velocity_y + p.velocity_z * p.velocity_z;
+        watch_.begin_epoch(std::sqrt(square / (3.0 * static_cast<double>(particles_.size()))));
     }
     const std::int64_t events =
         counters_.pair_collisions + counters_.plate_collisions + counters_.ceiling_collisions + counters_.other_events;
@@ -126,7 +120,7 @@ void EventLoop<Law, Layered>::start_next_epoch() {
         epoch_ = 0;
         ++cycle_;
         now_ = 0.0;
-        stall_mark_time_ -= period_;
+        watch_.rebase(period_);
         for (Particle& p : particles_) p.time = 0.0;
         for (double& time : last_contacts_) time -= period_;
         if (static_cast<double>(contacts() - contacts_at_sort_) >=
@@ -272,6 +266,7 @@ void EventLoop<Law, Layered>::collide(std::uint32_t i, std::uint32_t j) {
     ++p.stamp;
     ++q.stamp;
     if (r_dot_v < 0.0) {  // else grazing, and round-off has already turned it round
+        watch_.pair(-r_dot_v, p.id, q.id);
         const double since = since_last_contact(i, j);
         const auto restitution = [&](double speed) { return law_(speed, since); };
         const PairImpulse impulse = collide_pair(r_dot_v, r_squared, restitution);
@@ -385,40 +380,12 @@ void EventLoop<Law, Layered>::note_contact(ContactEvent::Kind kind, std::uint32_
     last_kind_ = kind;
     last_first_ = i;
     last_second_ = j;
-    if (contacts() - stall_mark_events_ >= stall_events) look_for_collapse();
-}
-
-template <class Law, bool Layered>
-void EventLoop<Law, Layered>::look_for_collapse() {
-    const double elapsed = now_ - stall_mark_time_;
-    const double virial = sums_.virial + epoch_sums_.virial;
-    const auto pairs = static_cast<double>(counters_.pair_collisions - stall_mark_pairs_);
-    // The virial sums (1 + e)/2 times the closing speed; a particle waits N elapsed / (2 pairs) for its next contact.
-    const double path =
-        (virial - stall_mark_virial_) / pairs * elapsed * static_cast<double>(particles_.size()) / (2.0 * pairs);
-    const bool short_of_path = pairs > 0.5 * static_cast<double>(stall_events) && path < stall_path;
-    const auto enough = std::clamp<std::int64_t>(
-        std::llround(stall_contacts * static_cast<double>(particles_.size()) / static_cast<double>(stall_events)), 1,
-        50);
-    short_spells_ = short_of_path ? short_spells_ + 1 : 0;
-    if (short_spells_ >= enough || elapsed < stall_time) {
-        const std::string who =
-            last_kind_ == ContactEvent::Kind::pair
-                ? fmt::format("particles {} and {}", particles_[last_first_].id, particles_[last_second_].id)
-                : fmt::format("particle {} and a wall", particles_[last_first_].id);
-        throw Stalled(
-            fmt::format("md: inelastic collapse in cycle {} at t = {}: the last {} contacts took a time of {:.3g}, the "
-                        "last one between {}. "
-                        "Particles lose all relative speed in more and more contacts over shorter and shorter paths. "
-                        "Raise particles.restitution, make slow contacts elastic as real ones are, by "
-                        "particles.restitution = {{ law = \"velocity\", e0 = ... }}, or choose particles.collapse = "
-                        "\"contact_time\" or \"elastic_below\"",
-                        cycle_, now_, contacts() - stall_mark_events_, elapsed, who));
+    if (watch_.due(contacts())) {
+        const std::string who = kind == ContactEvent::Kind::pair
+                                    ? fmt::format("particles {} and {}", particles_[i].id, particles_[j].id)
+                                    : fmt::format("particle {} and a wall", particles_[i].id);
+        watch_.look({contacts(), counters_.pair_collisions, sums_.virial + epoch_sums_.virial}, cycle_, now_, who);
     }
-    stall_mark_events_ = contacts();
-    stall_mark_time_ = now_;
-    stall_mark_pairs_ = counters_.pair_collisions;
-    stall_mark_virial_ = virial;
 }
 
 }  // namespace shaken::md

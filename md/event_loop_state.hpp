@@ -74,11 +74,7 @@ void EventLoop<Law, Layered>::save(files::CheckpointWriter& out) const {
     out.put("md.highest_plate", highest_plate_);
     out.put("md.contacts_at_sort", contacts_at_sort_);
     out.put("md.events_at_epoch_start", events_at_epoch_start_);
-    out.put("md.stall_mark_events", stall_mark_events_);
-    out.put("md.stall_mark_time", stall_mark_time_);
-    out.put("md.stall_mark_pairs", stall_mark_pairs_);
-    out.put("md.stall_mark_virial", stall_mark_virial_);
-    out.put("md.short_spells", short_spells_);
+    watch_.save(out);
     if (!spins_.empty()) out.put("md.spins", spins_);
     if (!last_contacts_.empty()) out.put("md.last_contacts", last_contacts_);
     neighbours_.save(out);
@@ -102,11 +98,7 @@ void EventLoop<Law, Layered>::restore(const files::CheckpointReader& in) {
     highest_plate_ = in.take_one<double>("md.highest_plate");
     contacts_at_sort_ = in.take_one<std::int64_t>("md.contacts_at_sort");
     events_at_epoch_start_ = in.take_one<std::int64_t>("md.events_at_epoch_start");
-    stall_mark_events_ = in.take_one<std::int64_t>("md.stall_mark_events");
-    stall_mark_time_ = in.take_one<double>("md.stall_mark_time");
-    stall_mark_pairs_ = in.take_one<std::int64_t>("md.stall_mark_pairs");
-    stall_mark_virial_ = in.take_one<double>("md.stall_mark_virial");
-    short_spells_ = in.take_one<std::int64_t>("md.short_spells");
+    watch_.restore(in);
     if (!spins_.empty()) in.take_into("md.spins", std::span(spins_));
     if (!last_contacts_.empty()) in.take_into("md.last_contacts", std::span(last_contacts_));
     neighbours_.restore(in);
