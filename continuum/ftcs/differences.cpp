@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The right-hand sides at the nodes, with G = a - 2 mu/3, a = lambda, D = div u, written out:
-//     dn/dt   = -u.grad n - n D
+//     dn/dt   = -div(n u)
 //     du_i/dt = -u.grad u_i - g_i + [ -d_i p + d_i G D + (G + mu) d_i D + mu lap u_i + sum_j d_j mu (d_j u_i + d_i u_j)
 //     ] / n dT/dt   = -u.grad T + (2/3) [ kappa lap T + grad kappa . grad T + (G D - p) D + 2 mu E:E ] / n - sink
 // First and second derivatives by three nodes, mixed ones by the four corners.
@@ -60,7 +60,12 @@ void Ftcs::difference(std::int64_t c, double gravity, double dt) {
         const double n = here.density[k], t = here.temperature[k], mu = here.shear[k];
         const double volume_term = here.bulk[k] - (2.0 / 3.0) * mu;
 
-        const Slopes grad_n = slopes([](const Column& at) { return at.density; });
+        const auto gradient_of_density = [&] { return slopes([](const Column& at) { return at.density; }); };
+        const double outflow =
+            inverse[0] * (east.density[k] * east.velocity[0][k] - west.density[k] * west.velocity[0][k]) +
+            inverse[1] * (north.density[k] * north.velocity[1][k] - south.density[k] * south.velocity[1][k]) +
+            inverse[2] *
+                (here.density[k + 1] * here.velocity[2][k + 1] - here.density[k - 1] * here.velocity[2][k - 1]);
         const Slopes grad_t = slopes([](const Column& at) { return at.temperature; });
         const Slopes grad_p = slopes([](const Column& at) { return at.pressure; });
         const Slopes grad_bulk = slopes([](const Column& at) { return at.bulk; });
@@ -108,7 +113,7 @@ void Ftcs::difference(std::int64_t c, double gravity, double dt) {
             const double carried = u[0] * d[i][0] + u[1] * d[i][1] + u[2] * d[i][2];
             (*out[i])[at] = u[i] + dt * (stress / n - carried - (i == 2 ? gravity : 0.0)) + fade * laplacian;
         }
-        next_.density[at] = n - dt * (u[0] * grad_n.x + u[1] * grad_n.y + u[2] * grad_n.z + n * divergence);
+        next_.density[at] = n - dt * outflow;
         const Slopes curve_t = curvatures([](const Column& column_at) { return column_at.temperature; });
         const double laplacian_t = curve_t.x + curve_t.y + curve_t.z;
         double heat = here.conductivity[k] * laplacian_t + grad_kappa.x * grad_t.x + grad_kappa.y * grad_t.y +
@@ -117,7 +122,7 @@ void Ftcs::difference(std::int64_t c, double gravity, double dt) {
         if (kernels_.density_drives_heat) {
             const auto coefficient = [](const Column& column_at) { return column_at.density_conductivity; };
             const Slopes curve = curvatures([](const Column& column_at) { return column_at.density; });
-            const Slopes slope = slopes(coefficient);
+            const Slopes slope = slopes(coefficient), grad_n = gradient_of_density();
             heat += here.density_conductivity[k] * (curve.x + curve.y + curve.z) + slope.x * grad_n.x +
                     slope.y * grad_n.y + slope.z * grad_n.z;
         }
@@ -132,16 +137,15 @@ void Ftcs::difference_at_wall(std::int64_t c, std::int64_t node, std::int64_t in
     const Column here = column(ix, iy), east = column(ix + 1, iy), west = column(ix - 1, iy),
                  north = column(ix, iy + 1), south = column(ix, iy - 1);
     const double half_dx = 0.5 / grid().dx, half_dy = 0.5 / grid().dy;
-    const double* u_z = here.velocity[2] + node;
-    const double slope_z =
-        static_cast<double>(inward) * 0.5 / grid().dz * (4.0 * u_z[inward] - u_z[2 * inward] - 3.0 * u_z[0]);
-    const double divergence = half_dx * (east.velocity[0][node] - west.velocity[0][node]) +
-                              half_dy * (north.velocity[1][node] - south.velocity[1][node]) + slope_z;
-    const double carried = here.velocity[0][node] * half_dx * (east.density[node] - west.density[node]) +
-                           here.velocity[1][node] * half_dy * (north.density[node] - south.density[node]);
+    const auto flux_z = [&](std::int64_t k) { return here.density[k] * here.velocity[2][k]; };
+    const double outflow_z = static_cast<double>(inward) * 0.5 / grid().dz *
+                             (4.0 * flux_z(node + inward) - flux_z(node + 2 * inward) - 3.0 * flux_z(node));
+    const double outflow =
+        half_dx * (east.density[node] * east.velocity[0][node] - west.density[node] * west.velocity[0][node]) +
+        half_dy * (north.density[node] * north.velocity[1][node] - south.density[node] * south.velocity[1][node]) +
+        outflow_z;
     const auto i = static_cast<std::size_t>(nodes_.first(c) + node);
-    const double n = now_.density[i];
-    next_.density[i] = n - dt * (n * divergence + carried);
+    next_.density[i] = now_.density[i] - dt * outflow;
     // u and T of a wall follow from their conditions once the step is made.
     next_.velocity_x[i] = now_.velocity_x[i];
     next_.velocity_y[i] = now_.velocity_y[i];

@@ -19,6 +19,8 @@ namespace {
 constexpr double courant = 1.5;
 constexpr double diffusion_share = 0.16;
 constexpr double cooling_share = 0.3;
+// Of the mean. With a tenth of it a node above the layer of chapter 4 empties in the second cycle (docs/numerics.md).
+constexpr double least_floor_density = 1e-3;
 
 Grid nodes_of(const Grid& cells) {
     Grid nodes = cells;
@@ -63,7 +65,8 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
     smallest_spacing_ = grid().dz;
     if (grid().nx > 1) smallest_spacing_ = std::min(smallest_spacing_, grid().dx);
     if (grid().ny > 1) smallest_spacing_ = std::min(smallest_spacing_, grid().dy);
-    floor_density_ = setup_.choices.floor_density * mass() / (grid().dz * static_cast<double>(grid().nz));
+    floor_density_ = larger(setup_.choices.floor_density, least_floor_density) * mass() /
+                     (grid().dz * static_cast<double>(grid().nz));
     for (std::int64_t c = 0; c < grid().columns(); ++c) enforce_walls(c);
     initial_energy_ = energy();
 }

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The source's own method (Bougie 2004, sections 3.2.4 to 3.2.9), as the baseline that the others are held against:
-// forward Euler in time and second-order centred differences of the equations in n, u and T as they stand, not as
-// balances. Mass and energy are therefore kept to truncation error only, and the run says how badly.
+// forward Euler in time and second-order centred differences of the equations in n, u and T as they stand: that of n
+// is a divergence (3.1), those of u and T are not. Mass and energy are therefore kept to truncation error only, and the
+// run says how badly.
 //     nodes    0    1    2         N    the walls are nodes: u_z = 0 there, and u_x, u_y and T as the one-sided
 //              |----|----| ... ----|    derivative of zero makes them; only n evolves, with a one-sided d u_z/dz
 //     cells      0    1        N-1      flow() gives the means of two nodes
 // Terms in 1/G are left out of jenkins_richman (closures/jenkins_richman_dense.hpp) and artificial dissipation takes
-// their place where the gas is thin. The source names no floor; the floors of [continuum] hold here too, and
-// floor_mass() says what they added. A flat layer starts with an exponential top: a jump to vacuum in one cell ends the
-// run in the first steps, since grad p / n has no bound there.
+// their place where the gas is thin. The source names no floor; those of [continuum] hold here too, n at least at
+// 1e-3 of its mean, and floor_mass() says what they added. A flat layer starts with an exponential top: a jump to
+// vacuum in one cell ends the run in the first steps, since grad p / n has no bound there.
 #pragma once
 
 #include <cstdint>
