@@ -88,10 +88,10 @@ TEST_CASE("a cooling gas has the fourth cumulant of direct simulation", "[slow]"
     struct Case {
         double restitution, cumulant;
     };
-    const Case c{0.95, -0.01047};
+    const Case c = GENERATE(Case{0.95, -0.01047}, Case{0.8, -0.01424}, Case{0.6, 0.02118});
     constexpr std::int64_t particles = 20000;
     std::vector<double> cumulant;
-    for (std::uint64_t seed = 1; seed <= 40; ++seed) {
+    for (std::uint64_t seed = 1; seed <= 24; ++seed) {
         auto system = small::gas(particles, 0.015, c.restitution);
         system.seed = seed;
         system.period = 20.0;
