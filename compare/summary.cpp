@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compare/summary.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <string>
@@ -126,6 +127,36 @@ double shock_location_rms(const Analysis& continuum, const Analysis& md, double 
     return phases > 0 ? std::sqrt(squares / static_cast<double>(phases)) : std::nan("");
 }
 
+double profile_rms(const Analysis& continuum, const Analysis& md, Field field, double lift) {
+    const auto value = [field](const fields::Profile& p, std::size_t bin) {
+        switch (field) {
+            case Field::density:
+                return p.density[bin];
+            case Field::velocity:
+                return p.velocity[bin] - p.plate_velocity;
+            case Field::temperature:
+                return p.temperature[bin];
+        }
+        return std::nan("");
+    };
+    double squares = 0.0, whole = 0.0;
+    for (std::size_t phase = 0; phase < md.profiles.size(); ++phase) {
+        const fields::Profile &theirs = md.profiles[phase], &ours = continuum.profiles.at(phase);
+        for (std::size_t bin = 0; bin < theirs.density.size(); ++bin) {
+            if (theirs.volume_fraction(static_cast<std::int64_t>(bin)) <= layer_volume_fraction) continue;
+            const double place = std::max(0.0, static_cast<double>(bin) - lift / ours.bins.width);
+            const auto below = static_cast<std::size_t>(place);
+            const std::size_t above = std::min(below + 1, ours.density.size() - 1);
+            const double share = place - static_cast<double>(below);
+            const double read = (1.0 - share) * value(ours, below) + share * value(ours, above);
+            const double reference = value(theirs, bin);
+            squares += (read - reference) * (read - reference);
+            whole += reference * reference;
+        }
+    }
+    return std::sqrt(squares / whole);
+}
+
 nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, const scene::Scene& scene,
                                  const Cost& md_cost, const Cost& continuum_cost) {
     Json out;
@@ -156,6 +187,16 @@ nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, 
         const std::string key = std::string("shock_location_rms") + suffix;
         put(out, key, of_both(md, continuum.all, location_rms(0.0, life)), true);
         put(out, key + "_half_diameter", of_both(md, continuum.all, location_rms(half_diameter, life)), true);
+    }
+    if (continuum.all.profiles.size() != md.all.profiles.size()) return out;
+    for (const auto& [name, field] : {std::pair{"density", Field::density}, std::pair{"velocity", Field::velocity},
+                                      std::pair{"temperature", Field::temperature}}) {
+        for (const auto& [suffix, lift] : {std::pair{"", 0.0}, std::pair{"_half_diameter", half_diameter}}) {
+            const auto rms = [field = field, lift = lift](const Analysis& c, const Analysis& m) {
+                return profile_rms(c, m, field, lift);
+            };
+            put(out, std::string(name) + "_rms" + suffix, of_both(md, continuum.all, rms), true);
+        }
     }
     return out;
 }

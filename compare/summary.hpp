@@ -38,6 +38,13 @@ enum class Life { formation_to_leaving, fully_formed_to_leaving };
 double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift = 0.0,
                           Life life = Life::formation_to_leaving);
 
+/// Root mean square of the difference of a field over the layer and the cycle, as a share of the field's own root mean
+/// square in MD: over all phases and all bins in which MD's volume fraction exceeds the layer's threshold. Velocities
+/// are relative to the plate. The continuum is read `lift` lower, linearly between bins (half a diameter: its floor is
+/// the lowest plane of centres).
+enum class Field { density, velocity, temperature };
+double profile_rms(const Analysis& continuum, const Analysis& md, Field field, double lift = 0.0);
+
 nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, const scene::Scene& scene,
                                  const Cost& md_cost, const Cost& continuum_cost);
 

@@ -7,13 +7,13 @@ from matplotlib.collections import EllipseCollection
 
 import run_folder
 from run_folder import LAYER_VOLUME_FRACTION
-from style import DENSITY, PLATE, SHOCK_SHADE, TEMPERATURE, plt, points, save
+from style import DENSITY, PLATE, SHOCK_SHADE, TEMPERATURE, bands, plt, points, save
 
 NAME = "figure_4_1"
 PHASES = (0.0, 0.15, 0.22, 0.40)
 CAPTION = (
     "Figure 4.1. Granular temperature (red, upper axis) and volume fraction (blue, lower axis) against height at four "
-    "phases: MD (markers, bars of one standard error) and continuum (lines). Left: the particles of one cycle, seen from the "
+    "phases: MD (markers, bars of one standard error) and continuum (lines, bands of the grid error). Left: the particles of one cycle, seen from the "
     "side, coloured by the temperature at their height. Grey: shock region of the continuum; black: the plate. Within two diameters "
     "of the plate spheres stand in planes: the first of them lies beyond the axis."
 )
@@ -93,6 +93,7 @@ def draw_profiles(axis, run, index, hottest, is_first, is_last):
     axis.axhline(plate, color=PLATE, lw=1.5)
 
     axis.plot(run.continuum.volume_fraction[index], z, color=DENSITY)
+    bands(axis, z, run.continuum.volume_fraction[index], run.grid_error("density", np.pi / 6)[index], DENSITY)
     points(axis, run.md.volume_fraction[index], z, run.md.volume_fraction_error[index], marker="o", ms=2.6, mfc="none",
            color=DENSITY)
     for engine, is_md in ((run.continuum, False), (run.md, True)):
@@ -102,6 +103,7 @@ def draw_profiles(axis, run, index, hottest, is_first, is_last):
             points(warm, temperature, z, engine.error("temperature")[index], marker="o", ms=2.6, color=TEMPERATURE)
         else:
             warm.plot(temperature, z, color=TEMPERATURE)
+            bands(warm, z, temperature, run.grid_error("temperature")[index], TEMPERATURE)
     axis.set_xlim(0, 0.7)
     warm.set_xlim(0, hottest)
     warm.tick_params(axis="x", colors=TEMPERATURE, labeltop=is_first)

@@ -6,7 +6,7 @@ import numpy as np
 
 import run_folder
 from run_folder import LAYER_VOLUME_FRACTION
-from style import DENSITY, MACH, PLATE, plt, points, save
+from style import DENSITY, MACH, PLATE, bands, plt, points, save
 
 NAME = "figure_4_3"
 PHASE = 0.22
@@ -31,6 +31,8 @@ def draw(run):
     axis.plot(10 * run.continuum.volume_fraction[index], z, color=DENSITY, label=r"$10\,\nu$, continuum")
     points(axis, 10 * run.md.volume_fraction[index], z, 10 * run.md.volume_fraction_error[index], marker="o", color=DENSITY,
            mfc="none", label=r"$10\,\nu$, MD")
+    bands(axis, z, mach[run.continuum], run.grid_error("mach")[index], MACH)
+    bands(axis, z, 10 * run.continuum.volume_fraction[index], run.grid_error("density", 10 * np.pi / 6)[index], DENSITY)
     axis.axvline(1.0, color="0.6", lw=0.8, ls=":")
     axis.axhline(plate, color=PLATE, lw=2)
     axis.text(axis.get_xlim()[1] * 0.97, plate - 0.4, "plate", ha="right", va="top", fontsize=9)

@@ -39,6 +39,10 @@ def draw(run):
     points(axis, phase[some], slope[run.md][some],
            y_error=run.md.error("shock/slope_width_over_mean_free_path_foot")[shown][some], marker="s", ms=3, color=LENGTH,
            alpha=0.45, label="by the steepest slope, MD")
+    for name, color, values in (("max_mach", MACH, run.continuum("max_mach")[shown]),
+                                ("shock/width_over_mean_free_path", LENGTH, ratio[run.continuum])):
+        error = run.grid_error(name)[shown]
+        axis.fill_between(phase, values - error, values + error, color=color, alpha=0.25, lw=0)
     for ft in PUBLISHED_LIFE:
         axis.axvline(ft, color="0.6", lw=0.8, ls=":")
     axis.axhline(1.0, color="0.6", lw=0.8, ls=":")

@@ -41,8 +41,11 @@ class Engine:
 
 
 class Run:
-    def __init__(self, folder):
+    def __init__(self, folder, figures=None):
+        """figures: where figures go, if not into the folder."""
         self.folder = Path(folder)
+        self.figures = Path(figures) if figures else self.folder / "figures"
+        self.finer = None  # the continuum on half the spacing, where there is one
         compare = self.folder / "compare.h5"
         summary = self.folder / "summary.json"
         for needed in (compare, summary):
@@ -61,9 +64,11 @@ class Run:
         """Whether the run's scene agrees with every value of `scene`, a part of a scene as nested tables."""
         return all(self.scene.get(section, {}).get(key) == value for section, keys in scene.items() for key, value in keys.items())
 
-    @property
-    def figures(self):
-        return self.folder / "figures"
+    def grid_error(self, name, factor=1.0):
+        """|error| of the continuum's array from its grid: of second order, 4/3 of the change at half the spacing; zeros if unknown."""
+        if self.finer is None:
+            return np.zeros_like(self.continuum(name))
+        return factor * 4 / 3 * np.abs(self.continuum(name) - self.finer(name))
 
     def nearest(self, phase):
         """Index of the sampled phase nearest to ft, round the cycle."""
@@ -76,7 +81,7 @@ class Run:
 
     def frame(self, phase):
         """(phase, positions) of the particle frame nearest to ft, or None where md.h5 has no frames."""
-        path = self.folder / "md.h5"
+        path = self._trajectory()
         if not path.is_file():
             return None
         with h5py.File(path) as file:
@@ -86,20 +91,61 @@ class Run:
             nearest = int(np.argmin(np.abs((phases - phase + 0.5) % 1.0 - 0.5)))
             return float(phases[nearest]), file["particles/all/position/value"][nearest]
 
+    def _trajectory(self):
+        """md.h5 of the folder itself, or of the first of the runs that were averaged."""
+        own, runs = self.folder / "md.h5", self.summary.get("runs", {}).get("md", [])
+        return own if own.is_file() or not runs else Path(runs[0]) / "md.h5"
+
     def box_width(self):
-        with h5py.File(self.folder / "md.h5") as file:
+        with h5py.File(self._trajectory()) as file:
             edges = file["particles/all/box/edges"]
             values = edges["value"][0] if isinstance(edges, h5py.Group) else edges[()]
             return float(values[0, 0] if np.ndim(values) == 2 else values[0])
 
 
+class Study:
+    """What scripts/reproduce made: OUT/comparisons/NAME, OUT/runs/NAME, OUT/figures."""
+
+    def __init__(self, folder):
+        self.folder = Path(folder)
+        self.figures = self.folder / "figures"
+
+    def run(self, name, finer=None):
+        """A comparison as a run, with the continuum of another comparison, on half the spacing, for its grid error."""
+        run = Run(self.folder / "comparisons" / name, self.figures)
+        if finer and (self.folder / "comparisons" / finer / "compare.h5").is_file():
+            run.finer = Run(self.folder / "comparisons" / finer).continuum
+        return run
+
+    def summary(self, name):
+        path = self.folder / "comparisons" / name / "summary.json"
+        if not path.is_file():
+            raise RunError(f"{path}: not there; make it with: scripts/reproduce ch4 --out {self.folder}")
+        return json.loads(path.read_text())
+
+
+def main_of_study(draw):
+    """Runs a figure script that needs several comparisons: `python3 figure_x.py OUT`."""
+    if len(sys.argv) != 2:
+        print(f"usage: {Path(sys.argv[0]).name} OUT", file=sys.stderr)
+        return 2
+    try:
+        print(draw(Study(sys.argv[1])))
+    except RunError as error:
+        print(error, file=sys.stderr)
+        return 66
+    return 0
+
+
 def main(draw):
-    """Runs one figure script: `python3 figure_x.py DIR`."""
+    """Runs one figure script: `python3 figure_x.py DIR`, of a run folder or of the study of a chapter."""
     if len(sys.argv) != 2:
         print(f"usage: {Path(sys.argv[0]).name} DIR", file=sys.stderr)
         return 2
     try:
-        print(draw(Run(sys.argv[1])))
+        study = Study(sys.argv[1])
+        is_study = (study.folder / "comparisons").is_dir()
+        print(draw(study.run("default", finer="dz_0.1") if is_study else Run(study.folder)))
     except RunError as error:
         print(error, file=sys.stderr)
         return 66

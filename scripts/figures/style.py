@@ -24,6 +24,11 @@ def points(axis, x, y, x_error=None, y_error=None, **look):
     return axis.errorbar(x, y, xerr=x_error, yerr=y_error, **look)
 
 
+def bands(axis, z, x, error, color):
+    """The continuum's grid error, left and right of a line of x against height."""
+    axis.fill_betweenx(z, x - error, x + error, color=color, alpha=0.25, lw=0)
+
+
 def save(figure, folder, name, columns):
     """Writes name.png, name.pdf and name.csv; columns: {header with unit: values}, all of one length."""
     folder = Path(folder)

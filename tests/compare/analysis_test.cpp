@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "compare/analysis.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 
@@ -131,6 +132,32 @@ TEST_CASE("shock locations are compared where both engines have a shock, and lif
     CHECK(std::isnan(compare::shock_location_rms(none, md)));
 }
 
+TEST_CASE("the relative difference of fields is that of its definition, and a lift of one bin is a shift by one bin") {
+    compare::Analysis md, higher;
+    fields::Profile profile;
+    profile.bins = {0.0, 0.5, 6};
+    profile.plate_velocity = 2.0;
+    profile.density = {0.3, 0.5, 0.7, 0.4, 0.2, 0.001};
+    profile.velocity = {2.0, 1.0, -1.0, -3.0, -4.0, 50.0};
+    profile.temperature = {1.0, 2.0, 3.0, 2.0, 1.0, 70.0};
+    md.profiles = {profile};
+    fields::Profile denser = profile;
+    for (double& n : denser.density) n *= 1.1;
+    for (double& u : denser.velocity) u = 2.0 + 0.9 * (u - 2.0);
+    higher.profiles = {denser};
+    CHECK(compare::profile_rms(higher, md, compare::Field::density) == Approx(0.1).epsilon(1e-12));  // round-off
+    CHECK(compare::profile_rms(higher, md, compare::Field::velocity) == Approx(0.1).epsilon(1e-12));
+    CHECK(compare::profile_rms(higher, md, compare::Field::temperature) == 0.0);
+    fields::Profile lower = profile;
+    for (auto* field : {&lower.density, &lower.velocity, &lower.temperature})
+        std::rotate(field->begin(), field->begin() + 1, field->end());
+    compare::Analysis fallen;
+    fallen.profiles = {lower};
+    CHECK(compare::profile_rms(fallen, md, compare::Field::temperature) > 0.3);
+    // The lowest bin has nothing below it to be read from: it keeps its own value, (2 - 1)^2 of a sum of 19.
+    CHECK(compare::profile_rms(fallen, md, compare::Field::temperature, 0.5) == Approx(std::sqrt(1.0 / 19.0)));
+}
+
 TEST_CASE("the summary has every key, an error beside each MD number, and null for what is unknown") {
     scene::Scene scene;
     scene.name = "wavy";
@@ -165,5 +192,7 @@ TEST_CASE("the summary has every key, an error beside each MD number, and null f
     CHECK(summary.at("zcm_rms_percent_error").get<double>() > 0.0);
     CHECK(summary.contains("zcm_rms_percent_half_diameter"));
     CHECK(summary.contains("shock_location_rms"));
+    for (const char* key : {"density_rms", "velocity_rms", "temperature_rms", "temperature_rms_half_diameter_error"})
+        CHECK(summary.contains(key));
     CHECK(summary.dump().find("nan") == std::string::npos);
 }

@@ -1,0 +1,46 @@
+# SPDX-License-Identifier: MIT
+"""OUT/report.html: the figures of a chapter and the numbers of every comparison, in one file: chapter_report.py OUT "command"."""
+import csv
+import html
+import importlib
+import json
+import sys
+from pathlib import Path
+
+from report import STYLE, figure, find, shown
+
+COLUMNS = (("zcm_rms_percent", "z<sub>cm</sub> rms, %"), ("zcm_rms_percent_half_diameter", "floor half a diameter up"),
+           ("shock_location_rms_fully_formed", "shock location rms, &sigma;"), ("density_rms", "n rms"), ("velocity_rms", "u rms"),
+           ("temperature_rms", "T rms"), ("md.shock.mean_speed", "shock speed, MD"), ("continuum.shock.mean_speed", "continuum"))
+
+
+def main():
+    if len(sys.argv) != 3:
+        print("usage: chapter_report.py OUT COMMAND", file=sys.stderr)
+        return 2
+    out, command = Path(sys.argv[1]), sys.argv[2]
+    drawn = sorted((out / "figures").glob("figure_*.png"))
+    modules = [(importlib.import_module(path.stem), path) for path in drawn]
+    summaries = {path.parent.name: json.loads(path.read_text()) for path in sorted((out / "comparisons").glob("*/summary.json"))}
+    head = "".join(f"<th>{words}</th>" for _, words in COLUMNS)
+    rows = "".join(f"<tr><td>{html.escape(name)}</td>" + "".join(f'<td class="number">{shown(*find(s, key))}</td>' for key, _ in COLUMNS) + "</tr>"
+                   for name, s in summaries.items() if "md" in s)
+    pictures = "".join(figure(module, path) + f'<p class="small">Made by: {html.escape(command)}</p>' for module, path in modules)
+    (out / "report.html").write_text(f"""<!DOCTYPE html>
+<html lang="en"><head><meta charset="utf-8"><title>shaken: chapter 4</title><style>{STYLE}</style></head><body>
+<h1>Chapter 4: shocks in a shaken layer, molecular dynamics and hydrodynamics</h1>
+<p>Made by <code>{html.escape(command)}</code>. Errors are one standard error of the MD (blocks of cycles or runs left out in turn).</p>
+{pictures}<h2>Every comparison</h2><table><tr><th></th>{head}</tr>{rows}</table></body></html>
+""", encoding="utf-8")
+    with open(out / "comparisons.csv", "w", newline="") as file:
+        writer = csv.writer(file)
+        writer.writerow(["comparison"] + [word for key, _ in COLUMNS for word in (key, key + "_error")])
+        for name, s in summaries.items():
+            if "md" in s:
+                writer.writerow([name] + [value for key, _ in COLUMNS for value in find(s, key)])
+    print(out / "report.html")
+    return 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
