@@ -35,8 +35,8 @@ def make(root, out, config, jobs, dry_run=False, more=()):
     runs = {name: run | {"scene": str(root / run["scene"])} for name, run in config["runs"].items()}
     config = {"shaken": str(shaken), "scripts": str(root / "scripts"), "out": str(out)} | config | {"runs": runs}
     path.write_text(json.dumps(config, indent=1) + "\n")
-    # What a run is made of is in its folder's scene.toml; the age of files decides, not where a command line was written.
+    # Not the code: a line moved in the Snakefile remakes no run.
     command = ["snakemake", "--snakefile", str(root / "scripts/workflow/Snakefile"), "--configfile", str(path), "--directory", str(out),
-               "--cores", str(jobs), "--rerun-triggers", "mtime", "--rerun-incomplete", "--keep-going", "--quiet",
+               "--cores", str(jobs), "--rerun-triggers", "mtime", "params", "--rerun-incomplete", "--keep-going", "--quiet",
                *(["--dry-run"] if dry_run else []), *more]
     return subprocess.run(command, check=False).returncode
