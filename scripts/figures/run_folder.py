@@ -55,6 +55,7 @@ class Run:
             self.phase = file["phase"][()]
             self.height = file["height"][()]
             self.plate_height = file["plate/height"][()]
+            self.plate_velocity = file["plate/velocity"][()]
             self.md = Engine(file["md"])
             self.continuum = Engine(file["continuum"])
             self.scene = tomllib.loads(file["provenance/scene"][()].decode())

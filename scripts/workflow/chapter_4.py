@@ -92,5 +92,7 @@ FIGURES = {
     "figure_4_5": {"comparisons": ["default", "dz_0.1"]},
     "figure_4_6": {"comparisons": ONE_CYCLE},
     "figure_4_7": {"comparisons": ["default", "law"]},
+    "figure_4_plate": {"comparisons": ["default", "dz_0.1"]},
+    "figure_4_stress": {"comparisons": ["default"]},
     "figure_4_8": {"comparisons": ["default", "dz_0.1", "h4.5", "h4.5_fine", "h13.5", "h13.5_fine"]},
 }
