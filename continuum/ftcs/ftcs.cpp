@@ -2,6 +2,7 @@
 #include "continuum/ftcs/ftcs.hpp"
 
 #include <fmt/format.h>
+#include <omp.h>
 
 #include <algorithm>
 #include <cmath>
@@ -71,6 +72,11 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
     initial_energy_ = energy();
 }
 
+// A thread without a column would only wait.
+int Ftcs::threads() const {
+    return static_cast<int>(std::min<std::int64_t>(omp_get_max_threads(), grid().columns()));
+}
+
 void Ftcs::enforce_walls(std::int64_t column) {
     const std::int64_t first = nodes_.first(column), last = first + grid().nz;
     const auto flatten = [&](std::vector<double>& field, std::int64_t wall, std::int64_t inward) {
@@ -105,7 +111,7 @@ void Ftcs::close(std::int64_t column) {
 double Ftcs::longest_step() {
     const double h = smallest_spacing_, h2 = h * h;
     double longest = HUGE_VAL;
-#pragma omp parallel for schedule(static) reduction(min : longest)
+#pragma omp parallel for schedule(static) num_threads(threads()) reduction(min : longest)
     for (std::int64_t c = 0; c < grid().columns(); ++c) {
         close(c);
         for (std::int64_t k = 0; k < nodes_.nz; ++k) {
@@ -129,7 +135,7 @@ void Ftcs::step(double t, double dt) {
     if (!closed_) longest_step();
     const double gravity = setup_.gravity + setup_.motion.acceleration(t);
     const std::int64_t columns = grid().columns();
-#pragma omp parallel for schedule(static)
+#pragma omp parallel for schedule(static) num_threads(threads())
     for (std::int64_t c = 0; c < columns; ++c) {
         difference(c, gravity, dt);
         difference_at_wall(c, 0, 1, dt);

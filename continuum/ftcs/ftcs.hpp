@@ -59,6 +59,7 @@ class Ftcs : public Method {
     void difference(std::int64_t column, double gravity, double dt);
     void difference_at_wall(std::int64_t column, std::int64_t node, std::int64_t inward, double dt);
     Books settle(std::int64_t column, double dt);
+    int threads() const;
     [[noreturn]] void fail(double t, double dt) const;
     double energy() const;
 
