@@ -30,6 +30,7 @@ namespace {
 
 struct Options {
     double dx = 2.0, dz = 0.2, lid = 25.0, cfl = 0.8;
+    double box = 42.0;
     int cycles = 0;
     std::string scheme = "muscl", closure = "jenkins_richman";
     double gamma = 2.2;
@@ -37,8 +38,8 @@ struct Options {
 
 scene::Scene cell(const Options& o) {
     scene::Scene scene;
-    scene.box.x = scene.box.y = 42.0;
-    scene.number_of_particles = 10584;
+    scene.box.x = scene.box.y = o.box;
+    scene.number_of_particles = std::llround(6.0 * o.box * o.box);
     scene.depth = 5.4;
     scene.motion = scene::PlateMotion::from_acceleration(o.gamma, 0.4174 / std::sqrt(5.4));
     scene.particles.restitution = scene::RestitutionVelocity{0.7, 1.0};
@@ -67,20 +68,32 @@ void advance(Evolution& evolution, double period, int from, int to) {
     }
 }
 
-/// The settled column under each (x, y), lifted by lift(x).
-template <class Lift>
-Setup seeded(const scene::Scene& scene, int dimension, const Lift& lift) {
-    scene::Scene one = scene;
-    one.continuum.dimension.name = "1";
-    Evolution column(make_setup(one));
-    advance(column, scene.motion.period(), 0, settled * phases + seeded_phase);
-    scene::Scene many = scene;
-    many.continuum.dimension.name = std::to_string(dimension);
-    Setup setup = make_setup(many);
+constexpr double wavelength = 21.0, wanted_amplitude = 0.5;
+
+/// Amplitude of cos(2 pi x/21) in the height of the centre of mass.
+double amplitude(const Grid& grid, const Flow& flow) {
+    double sum = 0.0;
+    for (std::int64_t c = 0; c < grid.columns(); ++c) {
+        double mass = 0.0, moment = 0.0;
+        for (std::int64_t i = 0; i < grid.nz; ++i) {
+            const double n = flow.density[static_cast<std::size_t>(grid.first(c) + i)];
+            mass += n;
+            moment += n * grid.centre(i);
+        }
+        const double x = (static_cast<double>(c % grid.nx) + 0.5) * grid.dx;
+        sum += moment / mass * std::cos(2.0 * std::numbers::pi * x / wavelength);
+    }
+    return 2.0 * sum / static_cast<double>(grid.columns());
+}
+double amplitude(const Evolution& evolution) { return amplitude(evolution.grid(), evolution.flow()); }
+
+/// A settled column under each (x, y), lifted by lift cos(2 pi x/21), mass as before.
+void lift_columns(const Evolution& column, double lift, Setup& setup) {
     const Grid& grid = setup.grid;
     const std::int64_t nz = grid.nz, source = column.grid().first(0);
     for (std::int64_t c = 0; c < grid.columns(); ++c) {
-        const double shift = lift((static_cast<double>(c % grid.nx) + 0.5) * grid.dx) / grid.dz;
+        const double x = (static_cast<double>(c % grid.nx) + 0.5) * grid.dx;
+        const double shift = lift * std::cos(2.0 * std::numbers::pi * x / wavelength) / grid.dz;
         double before = 0.0, after = 0.0;
         for (std::int64_t i = 0; i < nz; ++i) {
             const double place = std::clamp(static_cast<double>(i) - shift, 0.0, static_cast<double>(nz - 1));
@@ -100,30 +113,30 @@ Setup seeded(const scene::Scene& scene, int dimension, const Lift& lift) {
         for (std::int64_t i = 0; i < nz; ++i)
             setup.flow.density[static_cast<std::size_t>(grid.first(c) + i)] *= before / after;
     }
-    return setup;
 }
 
-/// Amplitude of cos(2 pi x/21) in the height of the centre of mass, over the grid's own sinc so that cell means of
-/// different widths compare.
-double amplitude(const Evolution& evolution) {
-    const Grid& grid = evolution.grid();
-    double sum = 0.0;
-    const double k = 2.0 * std::numbers::pi / 21.0;
-    for (std::int64_t c = 0; c < grid.columns(); ++c) {
-        double mass = 0.0, moment = 0.0;
-        for (std::int64_t i = 0; i < grid.nz; ++i) {
-            const double n = evolution.flow().density[static_cast<std::size_t>(grid.first(c) + i)];
-            mass += n;
-            moment += n * grid.centre(i);
-        }
-        sum += moment / mass * std::cos(k * (static_cast<double>(c % grid.nx) + 0.5) * grid.dx);
+/// A layer in flight with a wave of half a diameter in z_cm. At ft = 0.6 its tail still stands on the plate, where
+/// lifting it draws mass in and lowering it presses mass out: a lift of 0.5 moves z_cm by 0.35 only, so the lift is
+/// raised until z_cm has the wanted wave.
+Setup seeded(const scene::Scene& scene, int dimension) {
+    scene::Scene one = scene;
+    one.continuum.dimension.name = "1";
+    Evolution column(make_setup(one));
+    advance(column, scene.motion.period(), 0, settled * phases + seeded_phase);
+    scene::Scene many = scene;
+    many.continuum.dimension.name = std::to_string(dimension);
+    Setup setup = make_setup(many);
+    double lift = wanted_amplitude;
+    for (int i = 0; i < 30; ++i) {
+        lift_columns(column, lift, setup);
+        lift *= wanted_amplitude / amplitude(setup.grid, setup.flow);
     }
-    return 2.0 * sum / static_cast<double>(grid.columns());
+    return setup;
 }
 
 void print_wave(const Options& o) {
     const scene::Scene scene = cell(o);
-    Evolution evolution(seeded(scene, 2, [](double x) { return 0.5 * std::cos(2.0 * std::numbers::pi * x / 21.0); }));
+    Evolution evolution(seeded(scene, 2));
     const int cycles = o.cycles > 0 ? o.cycles : 3;
     std::string amplitudes = fmt::format("{:.6f}", amplitude(evolution));
     for (int phase = seeded_phase; phase < seeded_phase + cycles * phases; ++phase) {
@@ -139,7 +152,7 @@ void print_wave(const Options& o) {
 
 void print_time(const Options& o) {
     const scene::Scene scene = cell(o);
-    Evolution evolution(seeded(scene, 3, [](double x) { return 0.5 * std::cos(2.0 * std::numbers::pi * x / 21.0); }));
+    Evolution evolution(seeded(scene, 3));
     const int cycles = o.cycles > 0 ? o.cycles : 10;
     const auto begin = std::chrono::steady_clock::now();
     const double cpu = static_cast<double>(std::clock()) / CLOCKS_PER_SEC;
@@ -157,8 +170,8 @@ void print_time(const Options& o) {
 
 int main(int argc, char** argv) {
     Options o;
-    std::map<std::string, double*> numbers{
-        {"--dx", &o.dx}, {"--dz", &o.dz}, {"--lid", &o.lid}, {"--cfl", &o.cfl}, {"--gamma", &o.gamma}};
+    std::map<std::string, double*> numbers{{"--dx", &o.dx},   {"--dz", &o.dz},       {"--lid", &o.lid},
+                                           {"--cfl", &o.cfl}, {"--gamma", &o.gamma}, {"--box", &o.box}};
     const std::string what = argc > 1 ? argv[1] : "";
     for (int i = 2; i + 1 < argc; i += 2) {
         const std::string key = argv[i];
@@ -175,7 +188,8 @@ int main(int argc, char** argv) {
     }
     if (what == "time") return print_time(o), 0;
     if (what == "wave") return print_wave(o), 0;
-    return fmt::print(stderr,
-                      "usage: headline time|wave [--dx --dz --lid --cfl --cycles --scheme --closure --gamma VALUE]\n"),
+    return fmt::print(
+               stderr,
+               "usage: headline time|wave [--dx --dz --lid --box --cfl --cycles --scheme --closure --gamma VALUE]\n"),
            2;
 }

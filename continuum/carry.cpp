@@ -27,6 +27,7 @@ bool Evolution::carry(double t, double dt, const Sweeps& sweeps) {
     for (std::size_t k = 0; k < kernels_.stages.size(); ++k) {
         const Stage& stage = kernels_.stages[k];
         const double gravity = setup_.gravity + setup_.motion.acceleration(t + stage.time * dt);
+        const std::int64_t rows = along_x || along_y ? rows_with_gas() : grid().nz;
         double unsound = 0.0;
 #pragma omp parallel num_threads(threads()) reduction(+ : unsound)
         {
@@ -39,8 +40,8 @@ bool Evolution::carry(double t, double dt, const Sweeps& sweeps) {
                                   rates_.pressure.data() + first, work.row(0), grid().nz, constants_);
             }
             // z + (x + y), in this order, so that a flow turned by a right angle about z keeps its bits.
-            if (along_x) sweep_along_x(sweeps.horizontal, work);
-            if (along_y) sweep_along_y(sweeps.horizontal, !along_x, work);
+            if (along_x) sweep_along_x(sweeps, rows, work);
+            if (along_y) sweep_along_y(sweeps, rows, !along_x, work);
 #pragma omp for schedule(static)
             for (std::int64_t column = 0; column < columns; ++column)
                 sweep_along_z(column, sweeps.vertical, !along_x && !along_y, work);

@@ -122,8 +122,8 @@ void Evolution::step(double t, double dt) {
         double t, dt;
         int halvings;
     };
-    const Sweeps usual{kernels_.sweep, kernels_.sweep_horizontal};
-    const Sweeps careful{kernels_.sweep_first_order, kernels_.sweep_first_order};
+    const Sweeps usual{kernels_.sweep, kernels_.sweep_horizontal, kernels_.sweep_thin};
+    const Sweeps careful{kernels_.sweep_first_order, kernels_.sweep_first_order, kernels_.sweep_first_order};
     // Pieces still to do, the next one last.
     std::vector<Piece> pieces{{t, dt, 0}};
     while (!pieces.empty()) {

@@ -65,17 +65,18 @@ class Evolution : public Method {
 
   private:
     struct Sweeps {
-        SweepKernel vertical, horizontal;
+        SweepKernel vertical, horizontal, thin;
     };
     bool try_step(double t, double dt, const Sweeps& sweeps);
 
     // carry.cpp and carry_horizontal.cpp; the horizontal sweeps share their work among the threads that call them.
     bool carry(double t, double dt, const Sweeps& sweeps);
-    void sweep_along_x(SweepKernel sweep, Workspace& work);
-    void sweep_along_y(SweepKernel sweep, bool first_sweep, Workspace& work);
+    std::int64_t rows_with_gas() const;
+    void sweep_along_x(const Sweeps& sweeps, std::int64_t rows, Workspace& work);
+    void sweep_along_y(const Sweeps& sweeps, std::int64_t rows, bool first_sweep, Workspace& work);
     void sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, Workspace& work);
-    void sweep_row(Direction direction, std::int64_t row, std::int64_t from, std::int64_t to, SweepKernel sweep,
-                   bool first_sweep, Workspace& work);
+    void sweep_row(Direction direction, std::int64_t row, std::int64_t from, std::int64_t to, const Sweeps& sweeps,
+                   std::int64_t rows, bool first_sweep, Workspace& work);
     double stress_below_wall(const Stencil& stencil, std::int64_t face) const;
     void add_rates(std::int64_t column, const FaceArrays& lower, const FaceArrays& upper, Direction direction,
                    double spacing, bool first_sweep);

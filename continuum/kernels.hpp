@@ -56,6 +56,7 @@ using TransportKernel = void (*)(const double* density, const double* temperatur
 struct Kernels {
     SweepKernel sweep = nullptr;              // along z
     SweepKernel sweep_horizontal = nullptr;   // along x and y, where cells are wide and flow is slow
+    SweepKernel sweep_thin = nullptr;         // along x and y, in the rows above the layer that hold next to nothing
     SweepKernel sweep_first_order = nullptr;  // what a step that failed is repeated with
     WallKernel wall = nullptr;
     PressureKernel pressure = nullptr;

@@ -13,6 +13,14 @@ namespace shaken::continuum {
 struct Stencil {
     using Cells = std::array<const double*, 6>;
     Cells density, normal, tangent_1, tangent_2, temperature;
+
+    Stencil shifted(std::int64_t by) const {
+        Stencil result = *this;
+        for (Cells* field :
+             {&result.density, &result.normal, &result.tangent_1, &result.tangent_2, &result.temperature})
+            for (const double*& cell : *field) cell += by;
+        return result;
+    }
 };
 
 /// Values of the six cells around face f.
