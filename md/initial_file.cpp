@@ -101,8 +101,7 @@ Snapshot read_start(const scene::Scene& scene) {
                                                 initial.phase, scene.sample.phases));
     const std::int64_t sample = std::llround(instant) % scene.sample.phases;
     if (sample > 0 && scene.sample.settle + scene.sample.average < 2)
-        throw scene::SceneError({},
-                                "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
+        throw scene::SceneError({}, "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
     stored.state.time_in_cycle =
         static_cast<double>(sample) / static_cast<double>(scene.sample.phases) * scene.motion.period();
     return std::move(stored.state);

@@ -14,7 +14,8 @@ std::string Range::text() const {
 }
 
 const std::vector<std::string>& kind_names() {
-    static const std::vector<std::string> names{"layer", "uniform", "riemann", "piston", "column", "wave", "cooling_flow"};
+    static const std::vector<std::string> names{"layer",  "uniform", "riemann",     "piston",
+                                                "column", "wave",    "cooling_flow"};
     return names;
 }
 

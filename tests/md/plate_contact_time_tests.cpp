@@ -119,7 +119,8 @@ TEST_CASE("a run of one particle bounces where marching says, flight by flight, 
             INFO("flight at " << flight.velocity << " from " << now << " of cycle " << state.cycle << " met " << met
                               << ", marched " << expected.time);
             REQUIRE(expected.time != md::never);
-            // Round-off of heights reached in this flight, some five hundred additions of it, over the speed at the contact.
+            // Round-off of heights reached in this flight, some five hundred additions of it, over the speed at the
+            // contact.
             const double highest = 10.0 + 0.5 * flight.velocity * flight.velocity;
             const double closing = -static_cast<double>(flight.rate(expected.time));
             REQUIRE(std::abs(met - expected.time) < std::min(1e-6, 1e-13 * highest / closing + 1e-12));
