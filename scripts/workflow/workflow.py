@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: MIT
 """Writes the configuration of workflow/Snakefile and calls Snakemake."""
 import json
+import os
 import pathlib
 import shutil
 import subprocess
@@ -22,12 +23,11 @@ def select(runs, comparisons, figures, everything):
 
 def make(root, out, config, jobs, dry_run=False, more=()):
     """Snakemake's exit code; 66 where a program is missing, with a sentence on where it comes from."""
-    shaken = root / "build" / "release" / "shaken"
+    shaken = pathlib.Path(os.environ.get("SHAKEN", root / "build" / "release" / "shaken"))
     if not shaken.is_file():
-        print(f"{shaken} is not there; make it with: scripts/build", file=sys.stderr)
+        print(f"{shaken} is not there; make it with: scripts/build (or name another in SHAKEN)", file=sys.stderr)
         return 66
-    if not shutil.which("snakemake"):
-        print("snakemake is not there; install it with: apt-get install --no-install-recommends snakemake", file=sys.stderr)
+    if not shutil.which("snakemake") and subprocess.run([root / "scripts/setup", "scripts/packages_studies.txt"], check=False).returncode:
         return 66
     out = pathlib.Path(out).resolve()
     out.mkdir(parents=True, exist_ok=True)
