@@ -3,7 +3,8 @@
 // splitting second order over two steps):
 //     cool      dT/dt = -(8/sqrt(pi)) G D T^(3/2), exactly, cell by cell
 //     diffuse   viscosity and conduction, implicit along each column; the kinetic energy it takes becomes heat;
-//               across columns, and in the terms that mix directions, explicit
+//               across columns, and in the terms that mix directions, explicit; cool and diffuse are cut into as
+//               many pieces as that asks for
 //     carry     mass, momentum and energy by waves and by the body force, explicit
 // A step that would leave a cell empty, packed or without a number is taken back and repeated in halves, at last with
 // first-order fluxes; if that does not help the run has failed.
