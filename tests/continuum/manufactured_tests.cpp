@@ -175,12 +175,12 @@ State errors(const Field& field, const Physics& physics, std::int64_t cells, dou
 
 double total(const State& s) { return s[0] + s[1] + s[2] + s[3]; }
 
-/// Observed order in space of the sum of the four mean errors, from 24 and 48 cells a side; printed with the errors.
+/// Observed order in space of the sum of the four mean errors, from 16 and 32 cells a side; printed with the errors.
 /// The steps go with the square of the spacing, so that what is first order in time, the diffusion, keeps out of it.
 double order(const std::string& name, const Field& field, const Physics& physics) {
-    constexpr std::int64_t cells = 24;
+    constexpr std::int64_t cells = 16;
     constexpr double time = 1.0;
-    constexpr int pairs = 12;  // Courant number near 0.4
+    constexpr int pairs = 8;  // Courant number near 0.4
     const double coarse = total(errors(field, physics, cells, time, pairs));
     const double fine = total(errors(field, physics, 2 * cells, time, 4 * pairs));
     const double found = std::log2(coarse / fine);
