@@ -62,7 +62,7 @@ class Limits(unittest.TestCase):
         self.assertTrue(any(collapse_cycle(0.60, seed) is not None for seed in (1, 2)))
 
     def test_deep_layers_crystallise_in_md_and_stay_below_packing_in_the_continuum(self):
-        for name, scene in (("15", "ch4_limit_deep_15"),):
+        for name, scene in (("15", "ch4_limit_deep_15"), ("18", "ch4_limit_deep_18")):
             recorded = EXPECTED["depth"][name]
             packed, in_layer = depth(scene, "md")
             self.assertGreater(packed, 0.65)
