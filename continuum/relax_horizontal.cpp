@@ -187,7 +187,7 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
     between_y(iy - 1, south);
     between_y(iy, north);
 
-    // Faces normal to z: face.xxx[k] below cell k, from the derivatives along x and y at the cells it parts.
+    // Faces normal to z: element k of each array of `face` is below cell k, from the derivatives along x and y at the cells it parts.
     const ColumnFields here = fields(ix, iy, true), to_east = fields(ix + 1, iy, true),
                        to_west = fields(ix - 1, iy, true), to_north = fields(ix, iy + 1, true),
                        to_south = fields(ix, iy - 1, true);
