@@ -159,6 +159,15 @@ class Resolver {
                              "averages; at most {:.3g} are allowed",
                              s_.sample.phases, bins, s_.sample.average, 1e-9 * profiles, 1e-9 * largest));
         }
+        if (s_.sample.map_bin > 0.0) {
+            const double heights = 8.0 * static_cast<double>(s_.sample.maps * (s_.sample.settle + s_.sample.average)) *
+                                   (s_.box.x / s_.sample.map_bin) * (s_.box.y / s_.sample.map_bin);
+            if (heights > largest) {
+                fail("sample.map_bin",
+                     fmt::format("sample.map_bin = {} with {} maps a cycle needs {:.3g} GB; at most {:.3g} are allowed",
+                                 s_.sample.map_bin, s_.sample.maps, 1e-9 * heights, 1e-9 * largest));
+            }
+        }
         const double columns =
             s_.continuum.dimension.name == "1" || (s_.continuum.dimension.name == "auto" && !s_.initial.uneven())
                 ? 1.0

@@ -7,22 +7,11 @@
 
 #include "md/hard_sphere_theory.hpp"
 #include "small_systems.hpp"
+#include "statistics.hpp"
 
 namespace {
 
 namespace theory = md::theory;
-
-struct Estimate {
-    double value, error;
-};
-
-Estimate mean_of(const std::vector<double>& samples) {
-    double sum = 0.0, square = 0.0;
-    for (const double s : samples) sum += s;
-    const double count = static_cast<double>(samples.size()), mean = sum / count;
-    for (const double s : samples) square += (s - mean) * (s - mean);
-    return {mean, std::sqrt(square / (count - 1.0) / count)};
-}
 
 double mean_square(const std::vector<std::array<double, 3>>& vectors) {
     double sum = 0.0;

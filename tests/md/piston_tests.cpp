@@ -7,24 +7,13 @@
 
 #include "md/initial_state.hpp"
 #include "small_systems.hpp"
+#include "statistics.hpp"
 
 namespace {
 
 struct Behind {
     double temperature, velocity;
 };
-
-struct Mean {
-    double value, error;
-};
-
-Mean mean_of(const std::vector<double>& samples) {
-    double sum = 0.0, square = 0.0;
-    for (const double s : samples) sum += s;
-    const double count = static_cast<double>(samples.size()), mean = sum / count;
-    for (const double s : samples) square += (s - mean) * (s - mean);
-    return {mean, std::sqrt(square / (count - 1.0) / count)};
-}
 
 /// Gas of this volume fraction above the plate, which rises so far at speeds within 0.2 % of V, so fast that
 /// gravity does nothing; then what is between `from` and `reach` above the plate.
@@ -80,7 +69,7 @@ TEST_CASE("behind a piston in a cold gas the temperature is a third of its speed
         velocity.push_back(b.velocity);
     }
     // Standard errors of independent starts: the sound that the uneven gas makes behind the shock is part of them.
-    const Mean t = mean_of(temperature), u = mean_of(velocity);
+    const Estimate t = mean_of(temperature), u = mean_of(velocity);
     INFO("volume fraction " << c.volume_fraction << ": 3 T/V^2 = " << t.value << " +- " << t.error
                             << ", u/V = " << u.value << " +- " << u.error);
     CHECK(t.error < 0.012);

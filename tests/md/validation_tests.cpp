@@ -5,20 +5,9 @@
 #include <vector>
 
 #include "small_systems.hpp"
+#include "statistics.hpp"
 
 namespace {
-
-struct Mean {
-    double value, error;
-};
-
-Mean mean_of(const std::vector<double>& blocks) {
-    double sum = 0.0, square = 0.0;
-    for (const double b : blocks) sum += b;
-    const double count = static_cast<double>(blocks.size()), mean = sum / count;
-    for (const double b : blocks) square += (b - mean) * (b - mean);
-    return {mean, std::sqrt(square / (count - 1.0) / count)};
-}
 
 /// Z = p/(nT) from the virial and collisions per particle per time, of an elastic gas at T = 1.
 void check_equation_of_state(std::int64_t particles, int blocks, double block_time, double largest_error) {
@@ -47,7 +36,7 @@ void check_equation_of_state(std::int64_t particles, int blocks, double block_ti
         before = ledger;
         counted = counters;
     }
-    const Mean z = mean_of(compressibility), omega = mean_of(rate);
+    const Estimate z = mean_of(compressibility), omega = mean_of(rate);
     INFO("volume fraction " << reference.volume_fraction << ": Z = " << z.value << " +- " << z.error << " ("
                             << reference.compressibility << "), rate = " << omega.value << " +- " << omega.error << " ("
                             << reference.collision_rate << ")");
@@ -88,7 +77,7 @@ TEST_CASE("a dilute inelastic gas cools by Haff's law", "[slow]") {
         slope.push_back((now - before) / elapsed / per_tau);
         before = now;
     }
-    const Mean mean = mean_of(slope);
+    const Estimate mean = mean_of(slope);
     // The rate is raised by 1 + 3 a2 / 16 where the distribution is not Maxwell's (van Noije and Ernst 1998).
     const double a2 = restitution > 0.9 ? -0.01047 : -0.01424;
     INFO("e = " << restitution << ": rate over Haff's " << mean.value << " +- " << mean.error);

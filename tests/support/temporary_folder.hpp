@@ -12,7 +12,8 @@ namespace support {
 class TemporaryFolder {
   public:
     TemporaryFolder() {
-        std::string name = (std::filesystem::temp_directory_path() / ("shaken_test_" + std::string(6, 'X'))).string();  // as mkdtemp asks
+        std::string name = (std::filesystem::temp_directory_path() / ("shaken_test_" + std::string(6, 'X')))
+                               .string();  // as mkdtemp asks
         if (!::mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
         path_ = name;
     }
