@@ -1,5 +1,8 @@
 # SPDX-License-Identifier: MIT
 """The runs, comparisons and figures of chapter 4, in the words of workflow/Snakefile."""
+import subprocess
+
+import workflow
 
 SCENE = "data/scenes/ch4_shock.toml"
 SEEDS = range(1, 7)
@@ -96,3 +99,13 @@ FIGURES = {
     "figure_4_stress": {"comparisons": ["default"]},
     "figure_4_8": {"comparisons": ["default", "dz_0.1", "h4.5", "h4.5_fine", "h13.5", "h13.5_fine"]},
 }
+
+
+def make(root, out, figures, jobs, dry_run, command):
+    """The chapter, or the named figures of it; Snakemake's exit code, or that of the report."""
+    wanted = {name: needs for name, needs in FIGURES.items() if not figures or name in figures}
+    code = workflow.make(root, out, workflow.select(runs(), comparisons(), wanted, everything=not figures), jobs, dry_run)
+    if code or dry_run:
+        return code
+    report = [root / "scripts/figures/chapter_report.py", out, command]
+    return subprocess.run(["/usr/bin/python3", "-B", *map(str, report)], check=False).returncode
