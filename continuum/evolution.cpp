@@ -42,7 +42,8 @@ Evolution::Evolution(Setup setup)
     constants_.trust = trust_total_energy;
     const std::vector<double> zero(grid().size(), 0.0);
     rates_ = {zero, zero, zero, zero, zero, zero, zero, zero};
-    if (grid().columns() > 1) coefficients_ = {zero, zero, zero, zero};
+    coefficients_ = {zero, zero, zero, zero, zero};
+    if (grid().columns() > 1) thermal_speed_ = zero;
     work_.assign(static_cast<std::size_t>(threads()), Workspace(grid().nz));
     books_.resize(static_cast<std::size_t>(grid().columns()));
     base_books_ = start_books_ = books_;
@@ -186,7 +187,7 @@ double Evolution::bytes_per_cell() const {
     for (const Flow* flow : {&setup_.flow, &base_, &start_})
         doubles += flow->density.size() + flow->velocity_x.size() + flow->velocity_y.size() + flow->velocity_z.size() +
                    flow->temperature.size();
-    doubles += 8 * rates_.mass.size() + 4 * coefficients_.bulk.size();
+    doubles += 8 * rates_.mass.size() + 5 * coefficients_.bulk.size() + thermal_speed_.size();
     return 8.0 * static_cast<double>(doubles) / static_cast<double>(grid().cells());
 }
 

@@ -2,9 +2,9 @@
 // Advances a flow by whole steps. A step is, in turn, and in the opposite order every other time (which makes the
 // splitting second order over two steps):
 //     cool      dT/dt = -(8/sqrt(pi)) G D T^(3/2), exactly, cell by cell
-//     diffuse   viscosity and conduction, implicit along each column; the kinetic energy it takes becomes heat;
-//               across columns, and in the terms that mix directions, explicit; cool and diffuse are cut into as
-//               many pieces as that asks for
+//     diffuse   viscosity and conduction, implicit along each column (second order in dt); the kinetic energy it
+//               takes becomes heat; across columns, and in the terms that mix directions, explicit (first order); cool
+//               and diffuse are cut into as many pieces as that asks for
 //     carry     mass, momentum and energy by waves and by the body force, explicit
 // A step that would leave a cell empty, packed or without a number is taken back and repeated in halves, at last with
 // first-order fluxes; if that does not help the run has failed.
@@ -85,13 +85,14 @@ class Evolution : public Method {
 
     // relax.cpp and relax_horizontal.cpp
     void relax(double dt, bool cooling_first);
-    void cool(std::int64_t column, double dt, Workspace& work);
+    TransportArrays coefficients(std::int64_t column);
+    void cool(std::int64_t column, double dt);
     void diffuse(std::int64_t column, double dt, Workspace& work);
+    void diffuse_by_backward_euler(std::int64_t column, double dt, Workspace& work);
     void add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced, double* heat) const;
-    void relax_once(double dt, bool cooling_first);
+    void relax_once(double dt, bool cooling_first, bool cools);
     void relax_horizontally(double dt);
     int pieces_of_relaxation(double dt);
-    TransportArrays close_for_stresses(std::int64_t column, Workspace& work);
     double share_of_face() const;
     double narrowest_square() const;
     void horizontal_stresses(std::int64_t column, double dt, Workspace& work);
@@ -114,8 +115,9 @@ class Evolution : public Method {
         std::vector<double> mass, momentum_x, momentum_y, momentum_z, energy, internal, jump, pressure;
     } rates_;
     struct Coefficients {
-        std::vector<double> bulk, shear, conductivity, density_conductivity;
-    } coefficients_;  // for the horizontal stresses
+        std::vector<double> bulk, shear, conductivity, density_conductivity, cooling;
+    } coefficients_;                     // at T = 1
+    std::vector<double> thermal_speed_;  // sqrt(T), for the horizontal stresses
     std::vector<Workspace> work_;
     std::vector<Ledger> books_, base_books_, start_books_;  // one a column, so that sums do not depend on threads
     double initial_energy_ = 0.0;

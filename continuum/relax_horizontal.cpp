@@ -33,8 +33,8 @@ struct Carried {
 
 /// The fields of one column, element 0 the lowest cell.
 struct ColumnFields {
-    const double *density, *normal, *lateral, *vertical, *temperature;
-    const double *bulk, *shear, *conductivity, *density_conductivity;
+    const double *density, *normal, *lateral, *vertical, *temperature, *thermal_speed;
+    const double *bulk, *shear, *conductivity, *density_conductivity;  // at T = 1
 };
 
 /// Face between columns `left` and `right` of a row; the lateral neighbours of either give the derivative along it.
@@ -55,11 +55,13 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
     for (std::int64_t k = 0; k < nz; ++k) {
         const double thinner = smaller(n.left.density[k], n.right.density[k]);
         const double most = cap * thinner;
-        const double mean_shear = 0.5 * (n.left.shear[k] + n.right.shear[k]);
-        const double mean_bulk = 0.5 * (n.left.bulk[k] + n.right.bulk[k]);
+        const double left = 0.5 * n.left.thermal_speed[k], right = 0.5 * n.right.thermal_speed[k];
+        const double mean_shear = left * n.left.shear[k] + right * n.right.shear[k];
+        const double mean_bulk = left * n.left.bulk[k] + right * n.right.bulk[k];
         const double shear = smaller(mean_shear, most), axial = smaller(mean_bulk + (4.0 / 3.0) * mean_shear, most);
         const double bulk = smaller(mean_bulk, most);
-        const double conductivity = smaller(0.5 * (n.left.conductivity[k] + n.right.conductivity[k]), 1.5 * most);
+        const double conductivity =
+            smaller(left * n.left.conductivity[k] + right * n.right.conductivity[k], 1.5 * most);
 
         const double normal_across = across * (n.right.normal[k] - n.left.normal[k]);
         const double lateral_across = across * (n.right.lateral[k] - n.left.lateral[k]);
@@ -76,7 +78,8 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         // Heat along the density gradient, at most a tenth of the poorer cell's a step.
         const double heat_limit =
             heat_cap * smaller(n.left.density[k] * n.left.temperature[k], n.right.density[k] * n.right.temperature[k]);
-        const double density_wanted = 0.5 * (n.left.density_conductivity[k] + n.right.density_conductivity[k]) *
+        const double density_wanted = (left * n.left.temperature[k] * n.left.density_conductivity[k] +
+                                       right * n.right.temperature[k] * n.right.density_conductivity[k]) *
                                       (across * (n.right.density[k] - n.left.density[k]));
         const double density_heat = smaller(larger(density_wanted, -heat_limit), heat_limit);
 
@@ -103,27 +106,20 @@ double Evolution::narrowest_square() const {
     return width * width;
 }
 
-TransportArrays Evolution::close_for_stresses(std::int64_t column, Workspace& work) {
-    const std::int64_t first = grid().first(column);
-    const TransportArrays out{coefficients_.bulk.data() + first, coefficients_.shear.data() + first,
-                              coefficients_.conductivity.data() + first,
-                              coefficients_.density_conductivity.data() + first, work.row(0)};
-    kernels_.transport(flow().density.data() + first, flow().temperature.data() + first, out, grid().nz, constants_);
-    return out;
-}
-
 int Evolution::pieces_of_relaxation(double dt) {
     const std::int64_t columns = grid().columns(), nz = grid().nz;
     double fastest = 0.0;  // kinematic viscosity or thermal diffusivity where it is resolved
 #pragma omp parallel for schedule(static) num_threads(threads()) reduction(max : fastest)
     for (std::int64_t column = 0; column < columns; ++column) {
-        const TransportArrays at = close_for_stresses(column, work_[thread()]);
+        const TransportArrays at = coefficients(column);
         const double* n = flow().density.data() + grid().first(column);
+        const double* temperature = flow().temperature.data() + grid().first(column);
         double most = 0.0;
 #pragma omp simd reduction(max : most)
         for (std::int64_t k = 0; k < nz; ++k) {
             const double axial = at.bulk[k] + (4.0 / 3.0) * at.shear[k];
-            const double diffusivity = larger(axial, at.conductivity[k] * (1.0 / 1.5)) / n[k];
+            const double diffusivity =
+                larger(axial, at.conductivity[k] * (1.0 / 1.5)) * std::sqrt(temperature[k]) / n[k];
             most = larger(most, n[k] > thinnest_resolved ? diffusivity : 0.0);
         }
         fastest = larger(fastest, most);
@@ -140,7 +136,10 @@ void Evolution::relax_horizontally(double dt) {
 #pragma omp for schedule(static)
         for (std::int64_t column = 0; column < columns; ++column) {
             fill_ghosts(setup_.flow, grid().first(column), nz, setup_.boundaries, constants_.packing_density);
-            close_for_stresses(column, work);
+            const double* temperature = flow().temperature.data() + grid().first(column);
+            double* thermal_speed = thermal_speed_.data() + grid().first(column);
+#pragma omp simd
+            for (std::int64_t k = 0; k < nz; ++k) thermal_speed[k] = std::sqrt(temperature[k]);
         }
 #pragma omp for schedule(static)
         for (std::int64_t column = 0; column < columns; ++column) horizontal_stresses(column, dt, work);
@@ -161,6 +160,7 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
                             along_x ? u_y : u_x,
                             flow().velocity_z.data() + f,
                             flow().temperature.data() + f,
+                            thermal_speed_.data() + f,
                             coefficients_.bulk.data() + f,
                             coefficients_.shear.data() + f,
                             coefficients_.conductivity.data() + f,
@@ -187,7 +187,8 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
     between_y(iy - 1, south);
     between_y(iy, north);
 
-    // Faces normal to z: element k of each array of `face` is below cell k, from the derivatives along x and y at the cells it parts.
+    // Faces normal to z: element k of each array of `face` is below cell k, from the derivatives along x and y at the
+    // cells it parts.
     const ColumnFields here = fields(ix, iy, true), to_east = fields(ix + 1, iy, true),
                        to_west = fields(ix - 1, iy, true), to_north = fields(ix, iy + 1, true),
                        to_south = fields(ix, iy - 1, true);
@@ -204,8 +205,9 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
     // Through the face between cells below and k of this column.
     const auto stress_between = [&](std::int64_t below, std::int64_t k) {
         const double most = cap * smaller(here.density[below], here.density[k]);
-        const double shear = smaller(0.5 * (here.shear[below] + here.shear[k]), most);
-        const double bulk = smaller(0.5 * (here.bulk[below] + here.bulk[k]), most);
+        const double speed_below = 0.5 * here.thermal_speed[below], speed = 0.5 * here.thermal_speed[k];
+        const double shear = smaller(speed_below * here.shear[below] + speed * here.shear[k], most);
+        const double bulk = smaller(speed_below * here.bulk[below] + speed * here.bulk[k], most);
         const double along_z = 0.5 * (bulk - (2.0 / 3.0) * shear) * (divergence[below] + divergence[k]);
         const double along_x = 0.5 * shear * (slope_x[below] + slope_x[k]);
         const double along_y = 0.5 * shear * (slope_y[below] + slope_y[k]);
@@ -226,7 +228,9 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
         for (const std::int64_t f : {std::int64_t{0}, nz}) {
             const std::int64_t cell = f == 0 ? 0 : nz - 1;
             const double most = cap * here.density[cell];
-            const double coefficient = smaller(here.bulk[cell], most) - (2.0 / 3.0) * smaller(here.shear[cell], most);
+            const double speed = here.thermal_speed[cell];
+            const double coefficient =
+                smaller(speed * here.bulk[cell], most) - (2.0 / 3.0) * smaller(speed * here.shear[cell], most);
             face.normal[f] = face.lateral[f] = face.energy[f] = 0.0;
             face.vertical[f] = coefficient * divergence[cell];
         }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include <catch2/catch.hpp>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -101,4 +102,26 @@ TEST_CASE("viscosity turns motion into heat and loses no energy") {
     // Truncation: (k dz)^2/12 of the rate = 2e-4, dt of the implicit step 3e-4, and the heating of T by 1e-3: 1 % in
     // all of a decay by e^-0.9.
     CHECK(motion == Approx(expected).epsilon(1e-2));
+}
+
+TEST_CASE("a hot cell in thin cold gas spreads its heat and nothing else, whatever the step") {
+    // The mean free path is 10^5 cells, so a step of the waves is 10^5 times what explicit diffusion bears.
+    const double velocity = GENERATE(0.0, 3.0);
+    Setup setup = cases::tube(64, 0.64, End::wall, End::wall, [&](double z) {
+        const bool hot = z > 0.3 && z < 0.31;
+        return cases::Point{1e-4, hot ? velocity : 0.0, hot ? 1e4 : 1e-2};
+    });
+    setup.choices.transport.name = "navier_stokes";
+    Evolution evolution(setup);
+    const auto energy = [&] { return evolution.ledger().energy; };
+    const double before = energy();
+    for (int k = 0; k < 20; ++k) {
+        evolution.step(0.0, evolution.longest_step());
+        const std::vector<double> t = cases::inside(evolution, evolution.flow().temperature);
+        CHECK(*std::min_element(t.begin(), t.end()) > 0.0);
+    }
+    // Round-off: 20 steps of 64 cells.
+    CHECK(energy() == Approx(before).epsilon(1e-12));
+    const std::vector<double> t = cases::inside(evolution, evolution.flow().temperature);
+    CHECK(*std::max_element(t.begin(), t.end()) < 1.01 * *std::min_element(t.begin(), t.end()));
 }
