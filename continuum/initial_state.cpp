@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "continuum/boundary/named.hpp"
 #include "continuum/closures/pressure.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_file.hpp"
@@ -74,8 +75,7 @@ void fill_from_file(Setup& setup, const scene::Scene& scene, const std::vector<d
         throw scene::SceneError({}, fmt::format("initial.phase = {} is no sample instant of sample.phases = {}",
                                                 scene.initial.phase, scene.sample.phases));
     if (setup.start_phase > 0 && scene.sample.settle + scene.sample.average < 2)
-        throw scene::SceneError({},
-                                "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
+        throw scene::SceneError({}, "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
     const Grid& grid = setup.grid;
     const StoredFlow stored = read_flow(scene.initial.file, scene.initial.phase);
     double sum = 0.0;
@@ -128,6 +128,7 @@ Setup make_setup(const scene::Scene& scene) {
     setup.choices = scene.continuum;
     setup.motion = scene.motion;
     setup.gravity = 1.0;
+    setup.boundaries = boundaries_of_layer(scene.continuum);
     setup.sink = sink_restitution(scene);
     setup.restitution = pressure_restitution(scene);
     setup.floor_temperature = scene.continuum.floor_temperature;

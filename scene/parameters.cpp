@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+
 namespace shaken::scene {
 
 std::string Range::text() const {
@@ -80,6 +82,16 @@ void describe_md(Scene& s, ParameterVisitor& v) {
              s.md.contacts_between_sorts, {0.0, 1e9});
 }
 
+/// The two ends of a column of the continuum; `names` are what each may be.
+void describe_ends(const std::array<std::string_view, 2>& names, Choice& lower, Choice& upper,
+                   std::optional<double>& lower_temperature, std::optional<double>& upper_temperature,
+                   ParameterVisitor& v) {
+    v.choice({"lower", "", names[0]}, lower);
+    v.choice({"upper", "", names[1]}, upper);
+    v.optional_number({"lower_temperature", "g sigma", "of a heated lower end"}, lower_temperature, positive);
+    v.optional_number({"upper_temperature", "g sigma", "of a heated upper end"}, upper_temperature, positive);
+}
+
 void describe_layer(Scene& s, ParameterVisitor& v) {
     v.section("plate", "the oscillating plate, z_p = A (1 - cos 2 pi f t)");
     v.number({"acceleration", "g", "peak acceleration over gravity, Gamma = 4 pi^2 f^2 A"}, s.plate.acceleration,
@@ -133,6 +145,8 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"spacing", "sigma", "vertical grid spacing"}, s.continuum.spacing, {1e-4, 10.0});
     v.number({"spacing_horizontal", "sigma", "horizontal grid spacing"}, s.continuum.spacing_horizontal, {1e-3, 1e6});
     v.number({"lid", "sigma", "height of the lid above the plate, with which it moves"}, s.continuum.lid, {2.0, 1e6});
+    describe_ends({"plate, or heated: a plate that gives and takes heat", "lid or heated"}, s.continuum.lower,
+                  s.continuum.upper, s.continuum.lower_temperature, s.continuum.upper_temperature, v);
     v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
     v.number({"artificial_dissipation", "",
               "C_AD of the scheme ftcs: C_AD dx^2 exp(-200 nu)/dt is added to the diffusion of u and T"},
@@ -186,8 +200,10 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
     v.number({"restitution", "", "constant e"}, s.tube.restitution, fractions);
     switch (s.kind) {
         case Kind::riemann:
-            v.choice({"lower", "", "end: \"open\", \"wall\" or \"periodic\""}, s.tube.lower);
-            v.choice({"upper", "", "end: \"open\", \"wall\" or \"periodic\""}, s.tube.upper);
+            describe_ends({"open, wall, periodic, heated or piston", "open, wall, periodic or heated"}, s.tube.lower,
+                          s.tube.upper, s.tube.lower_temperature, s.tube.upper_temperature, v);
+            v.number({"speed", "sqrt(g sigma)", "of a piston as the lower end, with which the frame moves"},
+                     s.tube.speed, positive);
             v.section("initial.left", "the gas below the middle");
             describe_gas(s.tube.left, v);
             v.section("initial.right", "the gas above the middle");

@@ -41,6 +41,7 @@ class Resolver {
                                                s_.box.x, s_.box.y));
         }
         sizes();
+        temperatures_of_ends("continuum", s_.continuum);
         if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
             fail("continuum.spacing",
                  fmt::format("continuum.spacing = {} leaves fewer than 4 cells below the lid at {}",
@@ -92,6 +93,7 @@ class Resolver {
     }
 
     void tube() {
+        temperatures_of_ends("tube", s_.tube);
         const double cells = s_.tube.length / s_.continuum.spacing;
         if (!(cells >= 16.0 && cells <= 1e7)) {
             fail("continuum.spacing",
@@ -105,6 +107,19 @@ class Resolver {
     }
 
   private:
+    /// A temperature belongs to an end named heated; that such an end has one is checked where its name is.
+    template <class Ends>
+    void temperatures_of_ends(const std::string& section, const Ends& ends) {
+        const auto check = [&](const std::string& end, const Choice& name, const std::optional<double>& temperature) {
+            const std::string key = section + "." + end;
+            if (temperature && name.name != "heated")
+                fail(key + "_temperature",
+                     fmt::format("{0}_temperature needs {0} = \"heated\"; it is \"{1}\"", key, name.name));
+        };
+        check("lower", ends.lower, ends.lower_temperature);
+        check("upper", ends.upper, ends.upper_temperature);
+    }
+
     const Place& at(const std::string& key) const {
         const auto found = places_.find(key);
         return found == places_.end() ? whole_ : found->second;

@@ -73,16 +73,17 @@ struct GasState {
 
 /// A column of gas with an exact solution (the kinds riemann, piston, column, wave and cooling_flow; continuum only).
 struct Tube {
-    double length = 10.0;                                 // in sigma
-    double time = 1.0;                                    // in sqrt(sigma/g)
-    double restitution = 1.0;                             // constant e
-    Choice lower{"open", {}}, upper{"open", {}};          // ends (riemann)
-    GasState left{0.4, 0.0, 1.0}, right{0.05, 0.0, 1.0};  // riemann: below and above the middle
-    GasState gas{0.3, 0.0, 1.0};                          // piston, column and cooling_flow (at the bottom), wave
-    double speed = 1.0;                                   // of the piston
-    double amplitude = 1e-4;                              // of the wave, relative
-    std::optional<double> wall_temperature;               // of a heated bottom (column)
-    double number_per_area = 1.0;                         // on a heated bottom (column)
+    double length = 10.0;                                        // in sigma
+    double time = 1.0;                                           // in sqrt(sigma/g)
+    double restitution = 1.0;                                    // constant e
+    Choice lower{"open", {}}, upper{"open", {}};                 // ends (riemann)
+    std::optional<double> lower_temperature, upper_temperature;  // of heated ends (riemann)
+    GasState left{0.4, 0.0, 1.0}, right{0.05, 0.0, 1.0};         // riemann: below and above the middle
+    GasState gas{0.3, 0.0, 1.0};             // piston, column and cooling_flow (at the bottom), wave
+    double speed = 1.0;                      // of a piston, into the gas
+    double amplitude = 1e-4;                 // of the wave, relative
+    std::optional<double> wall_temperature;  // of a heated bottom (column)
+    double number_per_area = 1.0;            // on a heated bottom (column)
 };
 
 /// A gas without gravity or walls, in a cube periodic in three directions (the kind uniform). Its sample instants lie
@@ -125,6 +126,8 @@ struct Continuum {
     double spacing = 0.2;               // vertical, in sigma
     double spacing_horizontal = 2.0;    // in sigma
     double lid = 80.0;                  // height above the plate, moving with it
+    Choice lower{"plate", {}}, upper{"lid", {}};
+    std::optional<double> lower_temperature, upper_temperature;  // of heated ends
     double cfl = 0.8;
     double artificial_dissipation = 0.1;  // C_AD of the scheme ftcs
     double floor_density = 1e-7;          // relative to the mean density N / (Lx Ly lid)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // What a column ends in, below and above, in the frame of the plate. The moving plate, the lid that moves with it and a
-// piston (in its own frame) are all a wall at rest. To add a boundary: its ghosts in a header beside this one, a line
-// in fill_ghosts and, if it conducts, its coupling in diffusion.cpp.
+// piston (in its own frame) are all a wall at rest. To add a boundary: its name in named.cpp; if it is a new kind of
+// end its ghosts in a header beside this one, a line in fill_ghosts and, if it conducts, its coupling in relax.cpp.
 #pragma once
 
 #include <optional>
