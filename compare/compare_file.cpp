@@ -129,6 +129,7 @@ void write_history(files::Hdf5File& file, const std::string& group, const Analys
     file.write(group + "/shock/formation_phase", number(&ShockHistory::formation_phase));
     file.write(group + "/shock/fully_formed_phase", number(&ShockHistory::fully_formed_phase));
     file.write(group + "/shock/fully_formed_speed", number(&ShockHistory::fully_formed_speed));
+    file.write(group + "/shock/fitted_speed", number(&ShockHistory::fitted_speed));
     file.write(group + "/shock/leaving_phase", number(&ShockHistory::leaving_phase));
     file.write(group + "/shock/mean_speed", number(&ShockHistory::mean_speed));
     const auto count = static_cast<std::int64_t>(analysis.measures.size());

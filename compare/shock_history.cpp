@@ -11,10 +11,31 @@ namespace {
 
 constexpr double longest_gap = 0.01;   // of a cycle
 constexpr double shortest_run = 0.03;  // of a cycle
+// A location moves by noise, up to the window of the slopes (sigma), and at a speed that nothing in a shaken layer
+// exceeds: twice that of the shock of elastic spheres at Gamma 3 (sqrt(g sigma)).
+constexpr double furthest_by_noise = 2.0;
+constexpr double fastest = 40.0;
 
 struct Run {
     std::int64_t first = 0, last = 0;
     std::int64_t length() const { return last - first + 1; }
+};
+
+/// Slope of the line of least squares through points (x, y).
+class Slope {
+  public:
+    void add(double x, double y) {
+        count_ += 1.0;
+        x_ += x;
+        y_ += y;
+        xx_ += x * x;
+        xy_ += x * y;
+    }
+    void clear() { *this = Slope{}; }
+    double value() const { return (count_ * xy_ - x_ * y_) / (count_ * xx_ - x_ * x_); }
+
+  private:
+    double count_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, xy_ = 0.0;
 };
 
 /// The longest circular run of true values, gaps up to `gap` bridged; empty where none is true.
@@ -66,14 +87,17 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
     history.formation_location = at(run->first).shock->location;
     history.approach_mach = at(run->first - 1).maximum_mach.value;
     history.leaving_phase = history.leaving_location = history.mean_speed = std::nan("");
-    history.fully_formed_phase = history.fully_formed_speed = std::nan("");
+    history.fully_formed_phase = history.fully_formed_speed = history.fitted_speed = std::nan("");
 
+    Slope slope;
     double excess_before = std::nan(""), fully_formed_location = std::nan("");
     std::int64_t before = run->first;
     history.last = run->first;
     for (std::int64_t i = run->first; i < run->first + count && i - before <= gap + 1; ++i) {
         if (!at(i).shock || !at(i).layer) continue;
         const Shock& shock = *at(i).shock;
+        const double farthest = furthest_by_noise + fastest * static_cast<double>(i - before) * step / frequency;
+        if (i > run->first && std::abs(shock.location - at(before).shock->location) > farthest) continue;
         const double excess = shock.location - at(i).layer->upper;
         const double phase = history.formation_phase + static_cast<double>(i - run->first) * step;
         if (excess >= 0.0) {
@@ -87,9 +111,14 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
             };
             history.mean_speed = speed_from(history.formation_location, history.formation_phase);
             history.fully_formed_speed = speed_from(fully_formed_location, history.fully_formed_phase);
+            if (!std::isnan(history.fully_formed_phase)) history.fitted_speed = slope.value() * frequency;
             break;
         }
         const bool has_left_plate = shock.top - at(i).layer->lower > shock.location - shock.top;
+        if (has_left_plate)
+            slope.add(phase - history.formation_phase, shock.location);
+        else
+            slope.clear();
         if (!has_left_plate) {
             history.fully_formed_phase = std::nan("");
         } else if (std::isnan(history.fully_formed_phase)) {

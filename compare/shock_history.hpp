@@ -36,6 +36,7 @@ struct ShockHistory {
     double fully_formed_phase = 0.0;
     double fully_formed_speed =
         0.0;                     // mean from then to leaving; unlike mean_speed it needs no location near the plate
+    double fitted_speed = 0.0;   // slope of the line of least squares through the locations from then to leaving
     double approach_mach = 0.0;  // greatest Mach number in the layer at the last phase before formation
 
     /// Whether a phase index lies between formation and leaving, round the cycle.
@@ -48,9 +49,10 @@ struct ShockHistory {
 };
 
 /// Follows the longest run of phases with a shock, circularly: a cycle has no preferred start. Gaps up to a hundredth
-/// of a cycle are bridged, since noise may hide a shock at one phase. Frequency in sqrt(g/sigma).
-/// None where no run of at least 3 % of a cycle lies inside the layer. leaving_phase may exceed 1; it is NaN, and so
-/// are the speeds, where the location never passes the upper edge.
+/// of a cycle are bridged, since noise may hide a shock at one phase, or outdo it elsewhere: a location further from
+/// the last one than the fastest wave could have gone is passed over. Frequency in sqrt(g/sigma). None where no run of
+/// at least 3 % of a cycle lies inside the layer. leaving_phase may exceed 1; it is NaN, and so are the speeds, where
+/// the location never passes the upper edge.
 std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency);
 
 }  // namespace shaken::compare

@@ -71,6 +71,7 @@ Json engine(const Measured& measured, bool with_error) {
     put(shock, "leaving_phase", history(&ShockHistory::leaving_phase), with_error);
     put(shock, "mean_speed", history(&ShockHistory::mean_speed), with_error);
     put(shock, "fully_formed_speed", history(&ShockHistory::fully_formed_speed), with_error);
+    put(shock, "fitted_speed", history(&ShockHistory::fitted_speed), with_error);
 
     put(out, "max_mach", history(&ShockHistory::approach_mach), with_error);
     const auto at_profile_phase = [&](const std::function<double(const Shock&)>& number) {

@@ -11,7 +11,7 @@ from style import DENSITY, PLATE, TEMPERATURE, plt, points, save
 NAME = "figure_4_7"
 CAPTION = (
     "Figure 4.7. Shock location (red) and centre of mass (blue) in MD over one cycle: constant e = 0.9 (open) and e(v_n) with e0 = 0.9 "
-    "(crosses); six and four seeds, bars of one standard error. Thick line: the plate. Below: difference of the two laws."
+    "(crosses); six seeds each, bars of one standard error. Thick line: the plate. Below: difference of the two laws."
 )
 
 

@@ -97,6 +97,16 @@ class Run:
         own, runs = self.folder / "md.h5", self.summary.get("runs", {}).get("md", [])
         return own if own.is_file() or not runs else Path(runs[0]) / "md.h5"
 
+    def each_md_run(self):
+        """(density, velocity) of every MD run that was averaged, arrays (phases, bins) as in compare.h5; velocity NaN where there is nothing."""
+        for folder in self.summary.get("runs", {}).get("md", []):
+            with h5py.File(Path(folder) / "md.h5") as file:
+                profiles = file["profiles"]
+                sums, samples = profiles["sums"][()].sum(axis=0), profiles["samples"][()].sum(axis=0)
+                volume = profiles["area"][()] * profiles["bin_width"][()]
+            with np.errstate(invalid="ignore"):
+                yield sums[:, :, 0] / (samples[:, None] * volume), sums[:, :, 3] / sums[:, :, 0]
+
     def box_width(self):
         with h5py.File(self._trajectory()) as file:
             edges = file["particles/all/box/edges"]

@@ -60,8 +60,8 @@ def runs():
         for k in STATES:
             add(f"md_{e_name(e)}_s{k}", "md", one_cycle + restitution + seeds(k), f"state_s{k}")
     add("continuum_law", "continuum", periodic + [VELOCITY_LAW])
-    for k in range(1, 5):
-        add(f"md_law_s{k}", "md", seeds(k) + [VELOCITY_LAW, "sample.average=60", "sample.frames=0"])
+    for k in SEEDS:
+        add(f"md_law_s{k}", "md", seeds(k) + [VELOCITY_LAW, "sample.frames=0"])
     for depth, (number, cycles, lid) in DEPTHS.items():
         layer = [f"particles.number={number}", "sample.frames=0"]
         add(f"continuum_h{depth}", "continuum", periodic + layer + [f"continuum.lid={lid}"])
@@ -79,7 +79,7 @@ def comparisons():
         for grid in ("", "_fine"):
             found[e_name(e) + grid] = {"md": [f"md_{e_name(e)}_s{k}" for k in STATES],
                                        "continuum": f"continuum_{e_name(e)}{grid}", "first_cycle": True}
-    found["law"] = {"md": [f"md_law_s{k}" for k in range(1, 5)], "continuum": "continuum_law"}
+    found["law"] = {"md": [f"md_law_s{k}" for k in SEEDS], "continuum": "continuum_law"}
     for depth in DEPTHS:
         for grid in ("", "_fine"):
             found[f"h{depth}{grid}"] = {"md": [f"md_h{depth}_s{k}" for k in range(1, 5)], "continuum": f"continuum_h{depth}{grid}"}

@@ -115,3 +115,18 @@ TEST_CASE("a single phase with a shock is noise") {
     profiles[30] = synthetic::Front{.location = 5.0}.profile({0.0, 0.5, 80});
     CHECK_FALSE(compare::follow_shock(synthetic::measure(profiles), frequency));
 }
+
+TEST_CASE("a phase at which noise above the layer outdoes the shock is passed over") {
+    const auto plain = compare::follow_shock(Cycle{}.measures(), frequency);
+    REQUIRE(plain);
+    const auto middle = static_cast<std::size_t>(std::lround(200.0 * (plain->formation_phase + 0.08)));
+    auto measures = Cycle{}.measures();
+    REQUIRE(measures[middle].shock);
+    measures[middle].shock->location = measures[middle].layer->upper + 3.0;
+    const auto noisy = compare::follow_shock(measures, frequency);
+    REQUIRE(noisy);
+    CHECK(noisy->leaving_phase == plain->leaving_phase);
+    CHECK(noisy->mean_speed == plain->mean_speed);
+    CHECK(noisy->fitted_speed == Approx(plain->fitted_speed).epsilon(1e-3));  // a point less of the line
+    CHECK(plain->fitted_speed == Approx(speed).epsilon(0.02));                // truncation, as above
+}
