@@ -12,6 +12,12 @@
 
 namespace shaken::continuum {
 
+/// What a method makes by itself (negative: loses), as shares: of the mass at the start; of the energy at the start and
+/// what collisions have taken since.
+struct Drift {
+    double mass = 0.0, energy = 0.0;
+};
+
 class Method {
   public:
     Method() = default;
@@ -32,6 +38,7 @@ class Method {
     virtual double mass_share_at_temperature_floor() const = 0;
     virtual double floor_temperature() const = 0;
     virtual Ledger ledger() const = 0;
+    virtual Drift drift() const { return {}; }
     virtual std::int64_t steps() const = 0;
 
     virtual void save(files::CheckpointWriter& out) const = 0;

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "continuum/advance.hpp"
 #include "continuum/errors.hpp"
 #include "continuum/initial_state.hpp"
 #include "continuum/method.hpp"
@@ -26,22 +27,11 @@ struct Solver::Parts {
 
     /// From one sample instant to the next, in equal steps as far as the waves allow.
     void advance_one_phase() {
-        const double from = instant(phase), interval = instant(phase + 1) - from;
-        double done = 0.0;
-        while (done < interval) {
-            const double left = interval - done;
-            const double pieces = std::ceil(left / method->longest_step() * (1.0 - 1e-12));
-            if (!(pieces < most_steps_a_phase))
-                throw RunFailed(fmt::format(
-                    "continuum: the step fell below {:.2g} of a sample interval at cycle {}, time {:.6g} in the cycle",
-                    1.0 / most_steps_a_phase, cycle, from + done));
-            const double dt = left / pieces;
-            try {
-                method->step(from + done, dt);
-            } catch (const RunFailed& failure) {
-                throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle));
-            }
-            done = pieces <= 1.0 ? interval : done + dt;
+        const double from = instant(phase), to = instant(phase + 1);
+        try {
+            advance(*method, from, to, (to - from) / most_steps_a_phase);
+        } catch (const RunFailed& failure) {
+            throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle));
         }
         if (++phase == phases) {
             phase = 0;

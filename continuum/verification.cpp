@@ -10,6 +10,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "continuum/advance.hpp"
 #include "continuum/boundary/named.hpp"
 #include "continuum/closures/closures.hpp"
 #include "continuum/closures/effective_dissipation.hpp"
@@ -17,6 +18,7 @@
 #include "continuum/exact/cooling_flow.hpp"
 #include "continuum/exact/gas.hpp"
 #include "continuum/exact/riemann.hpp"
+#include "continuum/kernels.hpp"
 #include "continuum/method.hpp"
 #include "scene/errors.hpp"
 
@@ -163,6 +165,9 @@ Case uniform(const scene::Scene& scene) {
     c.setup.restitution = pressure_restitution(scene);
     c.setup.boundaries.lower.end = c.setup.boundaries.upper.end = End::periodic;
     const GasState gas{scene.initial.volume_fraction, 0.0, scene.initial.temperature};
+    if (const double packing = choose_kernels(scene.continuum).packing; gas.volume_fraction >= packing)
+        throw scene::SceneError({}, fmt::format("initial.volume_fraction = {} is not below {}, where {} packs",
+                                                gas.volume_fraction, packing, scene.continuum.pair_correlation.name));
     for (std::int64_t i = 0; i < cells; ++i) put(c.setup, i, gas);
     const EquationOfState elastic = make_equation_of_state(scene.continuum.pair_correlation, 1.0);
     const double chi = elastic.pressure(gas.volume_fraction, 1.0) * sphere_volume / gas.volume_fraction;
@@ -233,14 +238,6 @@ Inside inside(const Method& method) {
     return r;
 }
 
-void advance(Method& method, double from, double to) {
-    for (double t = from; t < to;) {
-        const double pieces = std::ceil((to - t) / method.longest_step() * (1.0 - 1e-12)), dt = (to - t) / pieces;
-        method.step(t, dt);
-        t = pieces <= 1.0 ? to : t + dt;
-    }
-}
-
 /// Amplitude of one wavelength over the tube.
 std::complex<double> mode(const std::vector<double>& field) {
     std::complex<double> sum = 0.0;
@@ -263,7 +260,7 @@ double mean_difference(const std::vector<double>& a, const std::vector<double>& 
     return difference / (relative ? size : cells);
 }
 
-void check_wave(const scene::Scene& scene, Method& method, Verification& v) {
+void check_wave(const scene::Scene& scene, Method& method, double shortest, Verification& v) {
     const EquationOfState state = state_of(scene);
     const double nu = scene.tube.gas.volume_fraction, temperature = scene.tube.gas.temperature;
     const double k = 2.0 * std::numbers::pi / scene.tube.length;
@@ -287,14 +284,14 @@ void check_wave(const scene::Scene& scene, Method& method, Verification& v) {
     const double period = scene.tube.length / speed;
     const double begin = std::max(1.0, std::round(scene.tube.time / (3.0 * period))) * period;
     const double end = begin + std::max(1.0, std::round((scene.tube.time - begin) / period)) * period;
-    advance(method, 0.0, begin);
+    advance(method, 0.0, begin, shortest);
     const std::complex<double> first = mode(inside(method).volume_fraction);
     constexpr int looks = 16;
     double turned = 0.0;
     std::complex<double> last = first;
     const int parts = looks * static_cast<int>(std::llround((end - begin) / period));
     for (int i = 1; i <= parts; ++i) {
-        advance(method, begin + (end - begin) * (i - 1) / parts, begin + (end - begin) * i / parts);
+        advance(method, begin + (end - begin) * (i - 1) / parts, begin + (end - begin) * i / parts, shortest);
         const std::complex<double> now = mode(inside(method).volume_fraction);
         turned -= std::arg(now / last);
         last = now;
@@ -330,10 +327,12 @@ Verification verify(const scene::Scene& scene) {
     Verification v;
     v.why_no_exact = c.why_no_exact;
     const std::unique_ptr<Method> method = make_method(std::move(c.setup));
+    // No flow with a known future ever asks for steps so far below its first.
+    const double shortest = 1e-6 * std::min(method->longest_step(), duration_of(scene));
     if (scene.kind == Kind::wave)
-        check_wave(scene, *method, v);
+        check_wave(scene, *method, shortest, v);
     else
-        advance(*method, 0.0, duration_of(scene));
+        advance(*method, 0.0, duration_of(scene), shortest);
     if (scene.kind == Kind::column) check_heated(scene, *method, v);
     for (std::int64_t i = 0; i < method->grid().nz; ++i) v.height.push_back(method->grid().centre(i));
     const Inside now = inside(*method);

@@ -42,6 +42,8 @@ namespace {
 constexpr Range counts{1.0, 1e9};
 constexpr Range fractions{0.0, 1.0};
 constexpr Range widths{2.0, 1e6};
+// Up to where equal spheres fill space, 0.74048; what an engine can start from may be less, and it says so.
+constexpr Range packings{0.0, 0.74, true};
 
 /// The names that every kind of continuum run has.
 void describe_continuum_choices(Scene& s, ParameterVisitor& v) {
@@ -52,6 +54,15 @@ void describe_continuum_choices(Scene& s, ParameterVisitor& v) {
     v.choice({"closure", "", "transport coefficients"}, s.continuum.closure);
     v.choice({"pair_correlation", "", "pair correlation at contact"}, s.continuum.pair_correlation);
     v.choice({"transport", "", "\"navier_stokes\" or \"inviscid\""}, s.continuum.transport);
+}
+
+/// What the scheme ftcs alone has.
+void describe_finite_differences(Scene& s, ParameterVisitor& v) {
+    v.number({"artificial_dissipation", "",
+              "C_AD of the scheme ftcs: C_AD dx^2 exp(-200 nu)/dt is added to the diffusion of u and T"},
+             s.continuum.artificial_dissipation, {0.0, 1.0});
+    v.number({"diffusion_factor", "", "s of the scheme ftcs: its step is at most s n dx^2 over mu, lambda and kappa"},
+             s.continuum.diffusion_factor, {0.0, 10.0, true});
 }
 
 /// What contacts do, in every kind of scene.
@@ -111,7 +122,7 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"ceiling", "sigma", "height of the ceiling of the MD, fixed in the lab"}, s.box.ceiling, widths);
 
     v.section("initial", "a flat layer on the plate");
-    v.number({"volume_fraction", "", "of the layer at the start"}, s.initial.volume_fraction, {0.0, 0.6, true});
+    v.number({"volume_fraction", "", "of the layer at the start"}, s.initial.volume_fraction, packings);
     v.number({"temperature", "g sigma", "granular temperature at the start"}, s.initial.temperature, positive);
     v.number({"noise", "", "relative amplitude of random density noise (continuum)"}, s.initial.noise, {0.0, 0.5});
     v.number({"wave", "", "relative amplitude of one cosine wave of density (continuum)"}, s.initial.wave, {0.0, 0.5});
@@ -148,9 +159,7 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     describe_ends({"plate, or heated: a plate that gives and takes heat", "lid or heated"}, s.continuum.lower,
                   s.continuum.upper, s.continuum.lower_temperature, s.continuum.upper_temperature, v);
     v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
-    v.number({"artificial_dissipation", "",
-              "C_AD of the scheme ftcs: C_AD dx^2 exp(-200 nu)/dt is added to the diffusion of u and T"},
-             s.continuum.artificial_dissipation, {0.0, 1.0});
+    describe_finite_differences(s, v);
     v.number({"floor_density", "", "least density, relative to the mean density N/(x y lid)"},
              s.continuum.floor_density, {0.0, 0.1, true});
     v.number({"floor_temperature", "g sigma", "least temperature"}, s.continuum.floor_temperature, {0.0, 1.0, true});
@@ -167,7 +176,7 @@ void describe_uniform(Scene& s, ParameterVisitor& v) {
                       widths);
 
     v.section("initial", "a homogeneous gas at rest as a whole");
-    v.number({"volume_fraction", "", "of the gas, nu"}, s.initial.volume_fraction, {0.0, 0.6, true});
+    v.number({"volume_fraction", "", "of the gas, nu"}, s.initial.volume_fraction, packings);
     v.number({"temperature", "g sigma", "granular temperature at the start"}, s.initial.temperature, positive);
     v.seed({"seed", "", "of the random start"}, s.initial.seed);
     v.text({"file", "", "an earlier output of the MD to start from"}, s.initial.file);
@@ -187,7 +196,7 @@ void describe_uniform(Scene& s, ParameterVisitor& v) {
 }
 
 void describe_gas(GasState& gas, ParameterVisitor& v) {
-    v.number({"volume_fraction", "", "of the gas"}, gas.volume_fraction, {0.0, 0.64, true});
+    v.number({"volume_fraction", "", "of the gas"}, gas.volume_fraction, {0.0, 0.649, true});
     v.number({"velocity", "sqrt(g sigma)", "of the gas, upwards"}, gas.velocity, any_number);
     v.number({"temperature", "g sigma", "granular temperature"}, gas.temperature, positive);
 }
@@ -213,7 +222,7 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
             v.number({"speed", "sqrt(g sigma)", "of the piston, the lower end, into gas at rest"}, s.tube.speed,
                      positive);
             v.section("initial", "the gas at rest before the piston");
-            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.64, true});
+            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.649, true});
             v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
             break;
         case Kind::column:
@@ -221,14 +230,14 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
                               s.tube.wall_temperature, positive);
             v.section("initial", "gas at rest under gravity");
             v.number({"volume_fraction", "", "at the bottom (without a heated bottom)"}, s.tube.gas.volume_fraction,
-                     {0.0, 0.64, true});
+                     {0.0, 0.649, true});
             v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
             v.number({"number_per_area", "1/sigma^2", "particles on a heated bottom"}, s.tube.number_per_area,
                      positive);
             break;
         case Kind::wave:
             v.section("initial", "gas with a wave of sound of one wavelength");
-            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.64, true});
+            v.number({"volume_fraction", "", "of the gas"}, s.tube.gas.volume_fraction, {0.0, 0.649, true});
             v.number({"temperature", "g sigma", "granular temperature"}, s.tube.gas.temperature, positive);
             v.number({"amplitude", "", "of the density, relative"}, s.tube.amplitude, {0.0, 0.1, true});
             break;
@@ -244,6 +253,7 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
     describe_continuum_choices(s, v);
     v.number({"spacing", "sigma", "grid spacing"}, s.continuum.spacing, positive);
     v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
+    describe_finite_differences(s, v);
 }
 
 }  // namespace

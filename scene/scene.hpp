@@ -130,6 +130,7 @@ struct Continuum {
     std::optional<double> lower_temperature, upper_temperature;  // of heated ends
     double cfl = 0.8;
     double artificial_dissipation = 0.1;  // C_AD of the scheme ftcs
+    double diffusion_factor = 0.16;       // s of the scheme ftcs
     double floor_density = 1e-7;          // relative to the mean density N / (Lx Ly lid)
     double floor_temperature = 1e-4;      // in g sigma
 };

@@ -16,9 +16,8 @@ namespace shaken::continuum {
 
 namespace {
 
-// Bougie 2004, section 3.2.8.
+// Bougie 2004, section 3.2.8, which has 0.16 for the diffusion factor too.
 constexpr double courant = 1.5;
-constexpr double diffusion_share = 0.16;
 constexpr double cooling_share = 0.3;
 // Of the mean. With a tenth of it a node above the layer of chapter 4 empties in the second cycle (docs/numerics.md).
 constexpr double least_floor_density = 1e-3;
@@ -70,6 +69,7 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
                      (grid().dz * static_cast<double>(grid().nz));
     for (std::int64_t c = 0; c < grid().columns(); ++c) enforce_walls(c);
     initial_energy_ = energy();
+    initial_mass_ = mass();
 }
 
 // A thread without a column would only wait.
@@ -123,7 +123,7 @@ double Ftcs::longest_step() {
             // cooling_ is (8/sqrt(pi)) G.
             const double sink = dissipation_(now_.temperature[i]) * cooling_[i] * (1.7724538509055160 / 8.0) * root;
             longest = std::min({longest, courant * h / std::max(fastest, 1e-300),
-                                diffusion_share * n * h2 / std::max(stiffest, 1e-300),
+                                setup_.choices.diffusion_factor * n * h2 / std::max(stiffest, 1e-300),
                                 cooling_share / std::max(sink, 1e-300)});
         }
     }
@@ -267,6 +267,11 @@ Ledger Ftcs::ledger() const {
     return l;
 }
 
+Drift Ftcs::drift() const {
+    const Ledger l = ledger();
+    return {mass() / initial_mass_ - 1.0, l.dual_energy_gain / (l.initial_energy + l.collisional_loss)};
+}
+
 void Ftcs::save(files::CheckpointWriter& out) const {
     out.put("continuum/cells", std::vector<std::int64_t>{grid().nx, grid().ny, grid().nz});
     out.put("continuum/density", now_.density);
@@ -275,7 +280,7 @@ void Ftcs::save(files::CheckpointWriter& out) const {
     out.put("continuum/velocity_z", now_.velocity_z);
     out.put("continuum/temperature", now_.temperature);
     out.put("continuum/ftcs", std::vector<double>{body_force_work_, collisional_loss_, floor_gain_, floor_mass_,
-                                                  initial_energy_, floor_density_});
+                                                  initial_energy_, floor_density_, initial_mass_});
     out.put("continuum/steps", steps_);
 }
 
@@ -286,7 +291,7 @@ void Ftcs::restore(const files::CheckpointReader& in) {
     in.take_into("continuum/velocity_y", span(now_.velocity_y));
     in.take_into("continuum/velocity_z", span(now_.velocity_z));
     in.take_into("continuum/temperature", span(now_.temperature));
-    std::vector<double> books(6);
+    std::vector<double> books(7);
     in.take_into("continuum/ftcs", span(books));
     body_force_work_ = books[0];
     collisional_loss_ = books[1];
@@ -294,6 +299,7 @@ void Ftcs::restore(const files::CheckpointReader& in) {
     floor_mass_ = books[3];
     initial_energy_ = books[4];
     floor_density_ = books[5];
+    initial_mass_ = books[6];
     steps_ = in.take_one<std::int64_t>("continuum/steps");
     closed_ = false;
 }

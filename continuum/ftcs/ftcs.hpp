@@ -29,8 +29,8 @@ class Ftcs : public Method {
     /// Throws scene::SceneError for unknown names, and for ends other than walls.
     explicit Ftcs(Setup setup);
 
-    /// Equation 3.21 and what follows it: the least over all nodes of 1.5 h/|u_i|, 0.16 n h^2/(mu, lambda, kappa) and
-    /// 0.3/(D G sqrt(T)), h the smallest spacing. cfl has no part in it.
+    /// Equation 3.21 and what follows it: the least over all nodes of 1.5 h/|u_i|, s n h^2/(mu, lambda, kappa) and
+    /// 0.3/(D G sqrt(T)), h the smallest spacing and s the diffusion factor, 0.16. cfl has no part in it.
     double longest_step() override;
     void step(double t, double dt) override;
 
@@ -42,6 +42,7 @@ class Ftcs : public Method {
     double floor_temperature() const override { return setup_.floor_temperature; }
     /// dual_energy_gain is what the differences make or lose: the balance of all other entries.
     Ledger ledger() const override;
+    Drift drift() const override;
     std::int64_t steps() const override { return steps_; }
 
     void save(files::CheckpointWriter& out) const override;
@@ -75,7 +76,7 @@ class Ftcs : public Method {
     double smallest_spacing_ = 1.0;
     double strength_ = 0.0;  // C_AD
     double body_force_work_ = 0.0, collisional_loss_ = 0.0, floor_gain_ = 0.0, floor_mass_ = 0.0;
-    double initial_energy_ = 0.0;
+    double initial_energy_ = 0.0, initial_mass_ = 0.0;
     std::int64_t steps_ = 0;
     bool closed_ = false;  // whether pressure and coefficients are those of now_
 };

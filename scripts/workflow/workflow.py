@@ -21,11 +21,19 @@ def select(runs, comparisons, figures, everything):
     return {"runs": {name: run for name, run in runs.items() if name in names}, "comparisons": compared, "figures": figures}
 
 
+def executable(root):
+    """Where shaken is; None, and a sentence on where it comes from, if it is not there."""
+    shaken = pathlib.Path(os.environ.get("SHAKEN", root / "build" / "release" / "shaken"))
+    if shaken.is_file():
+        return shaken
+    print(f"{shaken} is not there; make it with: scripts/build (or name another in SHAKEN)", file=sys.stderr)
+    return None
+
+
 def make(root, out, config, jobs, dry_run=False, more=()):
     """Snakemake's exit code; 66 where a program is missing, with a sentence on where it comes from."""
-    shaken = pathlib.Path(os.environ.get("SHAKEN", root / "build" / "release" / "shaken"))
-    if not shaken.is_file():
-        print(f"{shaken} is not there; make it with: scripts/build (or name another in SHAKEN)", file=sys.stderr)
+    shaken = executable(root)
+    if shaken is None:
         return 66
     if not shutil.which("snakemake") and subprocess.run([root / "scripts/setup", "scripts/packages_studies.txt"], check=False).returncode:
         return 66

@@ -1,0 +1,106 @@
+# SPDX-License-Identifier: MIT
+"""Where the schemes of the continuum live and die: figure_stability_continuum.py OUT, of scripts/reproduce stability."""
+import sys
+from pathlib import Path
+
+import numpy as np
+
+from ftcs_theory import NU_MAX, Gas
+from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory
+from style import plt, save
+
+NAME = "figure_stability_continuum"
+QUIET, THIN, THIN_SPACING = Gas(0.2), Gas(1e-4), 0.2  # the tubes of scripts/workflow/stability_points.py
+
+
+def courant(axis, rows):
+    rows_panel(axis, of_map(rows, "cfl"))
+    axis.axvspan(1.0, 2.1, color="0.93", zorder=0)
+    axis.set(xlim=(0, 2.1), xlabel="Courant number, continuum.cfl")
+    theory(axis, 1.0, "unsplit scheme: 1")
+    default(axis, 0.8)
+
+
+def diffusion(axis, rows):
+    rows_panel(axis, of_map(rows, "diffusion"))
+    axis.set(xscale="log", xlabel="diffusion factor of ftcs, $s$")
+    theory(axis, QUIET.diffusion_limit(), r"$D\,\Delta t/h^2 = 1/2$")
+    default(axis, 0.16)
+
+
+def spacing(axis, rows):
+    rows_panel(axis, of_map(rows, "spacing_horizontal"))
+    axis.set(xscale="log", xlabel=r"spacing across columns, $\Delta x/\sigma$")
+    default(axis, 2.0)
+
+
+def fraction(axis, rows):
+    rows_panel(axis, of_map(rows, "volume_fraction"))
+    axis.set(xscale="log", xlabel=r"volume fraction at the start, $\nu$")
+    theory(axis, NU_MAX, "packing")
+    default(axis, 0.3)
+
+
+def restitution(axis, rows):
+    rows_panel(axis, of_map(rows, "restitution"))
+    axis.set(xlabel=r"restitution, $e$ or $e_0$")
+    default(axis, 0.9)
+
+
+def acceleration(axis, rows):
+    rows_panel(axis, of_map(rows, "acceleration"))
+    axis.set(xscale="log", xlabel=r"peak acceleration, $\Gamma$")
+    axis.set_xticks([0.5, 1, 2, 3, 5, 10], ["0.5", "1", "2", "3", "5", "10"])
+    theory(axis, 1.0, "lift-off")
+    for periods in (1, 2):
+        theory(axis, np.sqrt(1.0 + (periods * np.pi) ** 2), f"plug flies {periods} T")
+
+
+def reynolds(axis, rows):
+    shown = [row | {"x": QUIET.cell_reynolds(float(row["x"]))} for row in of_map(rows, "cell_reynolds")]
+    scatter(axis, shown, lambda row: float(row["y"]))
+    spacings = np.geomspace(0.04, 10.0, 80)
+    numbers = QUIET.cell_reynolds(spacings)
+    axis.plot(numbers, [QUIET.largest_factor(h) for h in spacings], **THEORY)
+    axis.plot(numbers, [QUIET.convection_limit(h) for h in spacings], color=THEORY["color"], lw=0.9, ls=":")
+    axis.set(xscale="log", yscale="log", ylim=(0.015, 1.3), xlim=(0.08, 20), xlabel=r"cell Reynolds number of sound, $c h/(\lambda + 4\mu/3)\,n$", ylabel="diffusion factor, $s$")
+    axis.axhline(0.16, color="0.35", lw=0.9, ls=(0, (2, 2)))
+    axis.text(0.03, 0.05, r"dotted: $\Delta t = 2D/c^2$", transform=axis.transAxes, fontsize=7, color=THEORY["color"])
+
+
+def artificial(axis, rows):
+    all_rows = of_map(rows, "artificial_dissipation")
+    tube = [row for row in all_rows if not row["y"].startswith("layer")]
+    scatter(axis, tube, lambda row: np.log10(float(row["y"])))
+    strengths = np.linspace(0.0, 0.5, 60)
+    limits = [THIN.largest_factor(THIN_SPACING, strength) for strength in strengths]
+    axis.plot(strengths, np.log10(np.maximum(limits, 0.004)), **THEORY)
+    layers = [row for row in all_rows if row["y"].startswith("layer")]
+    heights = {f"layer, {d}D": 0.15 + 0.25 * d for d in (1, 2, 3)}
+    scatter(axis, layers, lambda row: heights[row["y"]])
+    for d in (1, 2, 3):
+        axis.plot([0.5 / d] * 2, [heights[f"layer, {d}D"] - 0.1, heights[f"layer, {d}D"] + 0.1], **THEORY)
+    ticks = {np.log10(s): f"tube, $s$ = {s}" for s in (0.02, 0.08, 0.16, 0.32, 0.7)} | {height: name for name, height in heights.items()}
+    axis.set_yticks(list(ticks), list(ticks.values()), fontsize=8)
+    axis.yaxis.set_minor_locator(plt.NullLocator())
+    axis.set(xlim=(-0.04, 1.04), ylim=(-1.85, 1.05), xlabel=r"artificial dissipation, $C_\mathrm{AD}$")
+    default(axis, 0.1)
+
+
+def draw(folder):
+    rows = read(folder)
+    figure, axes = plt.subplots(4, 2, figsize=(12.0, 14.0), gridspec_kw={"height_ratios": [1.25, 0.95, 0.7, 1.1]})
+    panels = (courant, fraction, restitution, acceleration, diffusion, spacing, reynolds, artificial)
+    titles = ("Courant number", "dilute to dense", "restitution", "acceleration", "ftcs: explicit diffusion", "finite volumes: narrow columns",
+              "ftcs without artificial dissipation, gas at rest", "ftcs: artificial dissipation")
+    for axis, panel, title, letter in zip(axes.flat, panels, titles, "abcdefgh"):
+        panel(axis, rows)
+        axis.set_title(f"({letter}) {title}", loc="left", fontsize=10)
+    legend(figure, rows)
+    shown = [row for row in rows if row["map"] in {"cfl", "diffusion", "spacing_horizontal", "volume_fraction", "restitution", "acceleration",
+                                                  "cell_reynolds", "artificial_dissipation"}]
+    return save(figure, folder / "figures", NAME, columns(shown))
+
+
+if __name__ == "__main__":
+    print(draw(Path(sys.argv[1])))

@@ -1,0 +1,202 @@
+# SPDX-License-Identifier: MIT
+"""The points of the stability maps: which run each one is, and which run its answer is held against.
+
+A map is a list of points; x is the number varied, y the row it belongs to (a method and a scene, or a second number).
+"""
+import dataclasses
+import math
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    engine: str
+    scene: str
+    changes: tuple
+
+    def but(self, *changes):
+        """The same with other values; a key given again takes the place of the earlier one."""
+        kept = dict(change.split("=", 1) for change in self.changes + changes)
+        return dataclasses.replace(self, changes=tuple(f"{key}={value}" for key, value in kept.items()))
+
+    def command(self):
+        return " ".join([f"shaken {self.engine} data/scenes/{self.scene}.toml", *(f"--set '{change}'" for change in self.changes)])
+
+
+@dataclasses.dataclass(frozen=True)
+class Point:
+    map: str
+    x: float
+    y: object
+    run: Run
+    reference: Run = None  # a run of the same flow by another method, on a finer grid
+
+
+# Short runs of small scenes: some cycles from the flat layer on, which hold its fall, its impact and its shock.
+LAYER = Run("continuum", "ch4_shock", ("sample.phases=20", "sample.settle=0", "sample.average=4", "sample.frames=0", "continuum.spacing=0.4"))
+STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=2", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4"))
+RIEMANN = Run("continuum", "verify_riemann", ("continuum.spacing=0.1",))
+COLUMN = Run("continuum", "verify_column", ("continuum.spacing=0.2", "tube.time=10"))
+COOLING = Run("continuum", "uniform_cooling", ("sample.settle=0", "sample.duration=1000"))
+CLOSED = RIEMANN.but("tube.lower=wall", "tube.upper=wall", "continuum.transport=navier_stokes", "tube.time=2")
+GRAINS = Run("md", "collapse_stall", ("sample.settle=0", "sample.average=6", "sample.frames=1"))
+CRYSTAL = Run("md", "uniform_elastic", ("particles.number=256", "sample.settle=1", "sample.duration=2", "sample.interval=0.25"))
+
+FTCS = ("continuum.scheme=ftcs",)
+FINE = ("continuum.scheme=weno5", "continuum.flux=hll", "continuum.cfl=0.5")
+SCHEMES = {
+    "muscl hllc": ("continuum.scheme=muscl", "continuum.flux=hllc"),
+    "muscl hll": ("continuum.scheme=muscl", "continuum.flux=hll"),
+    "weno5 hllc": ("continuum.scheme=weno5", "continuum.flux=hllc"),
+    "weno5 hll": ("continuum.scheme=weno5", "continuum.flux=hll"),
+}
+DEFAULT, WENO = "muscl hllc", "weno5 hllc"
+DENSE = "continuum.closure=jenkins_richman_dense"  # what ftcs makes of jenkins_richman
+
+
+def held(run):
+    """What a layer is held against: the fifth-order scheme at half the spacing and a smaller step; the same closure."""
+    fine = run.but(*FINE, "continuum.spacing=0.2")
+    return fine.but(DENSE, "continuum.artificial_dissipation=0.1", "continuum.diffusion_factor=0.16") if "continuum.scheme=ftcs" in run.changes else fine
+
+
+def courant():
+    for y, scheme in SCHEMES.items():
+        for x in (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 2.0):
+            for words, base in (("layer", LAYER), ("strip", STRIP), ("tube", RIEMANN)):
+                run = base.but(*scheme, f"continuum.cfl={x}")
+                yield Point("cfl", x, f"{y}, {words}", run, None if words == "tube" else base.but(*FINE) if words == "strip" else held(run))
+
+
+def diffusion():
+    for x in (0.02, 0.04, 0.08, 0.16, 0.24, 0.32, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0, 2.0):
+        for y, base in (("layer, dz = 0.4", LAYER), ("layer, dz = 0.8", LAYER.but("continuum.spacing=0.8")), ("strip", STRIP.but("sample.average=1")), ("tube", CLOSED)):
+            run = base.but(*FTCS, f"continuum.diffusion_factor={x}")
+            reference = base.but(*FINE, DENSE) if y in ("strip", "tube") else held(run)
+            yield Point("diffusion", x, y, run, reference)
+
+
+def horizontal_spacing():
+    for x in (0.25, 0.5, 1.0, 2.0, 3.0, 7.0):
+        for y in (DEFAULT, WENO):
+            box = ("box.x=21", "particles.number=504", "initial.wave_x=1", "sample.average=1", f"continuum.spacing_horizontal={x}")
+            yield Point("spacing_horizontal", x, y, STRIP.but(*SCHEMES[y], *box), STRIP.but(*FINE, *box, "continuum.spacing_horizontal=1"))
+
+
+def volume_fraction():
+    for x in (1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.62, 0.64, 0.645, 0.649, 0.65, 0.7):
+        side = max(2.0, math.sqrt(math.pi / (6.0 * x)))  # a layer ten diameters high, of at least ten particles
+        number = round(10.0 * x * side**2 * 6.0 / math.pi)
+        layer = LAYER.but(f"initial.volume_fraction={x:g}", f"box.x={side:.6g}", f"box.y={side:.6g}", f"particles.number={max(1, number)}",
+                          "continuum.lid=40", "sample.average=2")
+        half = f"initial.left.volume_fraction={x:g}", f"initial.right.volume_fraction={0.5 * x:g}"
+        for y in (DEFAULT, WENO):
+            yield Point("volume_fraction", x, f"{y}, tube", RIEMANN.but(*SCHEMES[y], *half))
+            yield Point("volume_fraction", x, f"{y}, column", COLUMN.but(*SCHEMES[y], f"initial.volume_fraction={x:g}"))
+            yield Point("volume_fraction", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
+        yield Point("volume_fraction", x, f"{DEFAULT}, cooling", COOLING.but(f"initial.volume_fraction={x:g}"))
+        closed = CLOSED.but(*FTCS, *half)
+        yield Point("volume_fraction", x, "ftcs, tube", closed, closed.but(*FINE, DENSE))
+        yield Point("volume_fraction", x, "ftcs, layer", layer.but(*FTCS), held(layer.but(*FTCS)))
+
+
+def restitution():
+    for x in (0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 0.99, 1.0):
+        layer = LAYER.but(f"particles.restitution={x}")
+        for y in (DEFAULT, WENO):
+            yield Point("restitution", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
+        yield Point("restitution", x, "ftcs, layer", layer.but(*FTCS), held(layer.but(*FTCS)))
+        yield Point("restitution", x, f"{DEFAULT}, cooling", COOLING.but(f"particles.restitution={x}"))
+        law = LAYER.but(f'particles.restitution={{law="velocity", e0={x}}}')
+        yield Point("restitution", x, f"{DEFAULT}, e(v)", law, held(law))
+
+
+ACCELERATIONS = (0.5, 0.8, 0.95, 1.05, 1.2, 1.5, 2.0, 2.5, 3.0, 3.3, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 6.36, 7.0, 8.0, 9.0, 10.0)
+
+
+def acceleration():
+    for x in ACCELERATIONS:
+        layer = LAYER.but(f"plate.acceleration={x}", "plate.frequency=0.2")
+        for y in (DEFAULT, WENO):
+            yield Point("acceleration", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
+        yield Point("acceleration", x, "ftcs, layer", layer.but(*FTCS), held(layer.but(*FTCS)))
+
+
+QUIET_CELLS, QUIET_STEPS, QUIET_FRACTION = 64, 4000, 0.2
+
+
+def quiet(fraction, spacing, factor, *changes):
+    """A tube at rest with a step of density of one per cent, under ftcs, for some thousand steps."""
+    stiffest = stiffness(fraction)
+    step = factor * spacing**2 / stiffest
+    return CLOSED.but(*FTCS, f"continuum.spacing={spacing:g}", f"tube.length={QUIET_CELLS * spacing:g}", f"tube.time={QUIET_STEPS * step:.4g}",
+                      f"continuum.diffusion_factor={factor:g}", f"initial.left.volume_fraction={1.005 * fraction:g}",
+                      f"initial.right.volume_fraction={0.995 * fraction:g}", *changes)
+
+
+def stiffness(fraction):
+    """kappa/n at T = 1, e = 1 without the terms in 1/G: the largest of the coefficients that limit the step of ftcs."""
+    contact = fraction / (1.0 - (fraction / 0.65) ** (4.0 * 0.65 / 3.0))
+    return 15.0 / 16.0 * math.sqrt(math.pi) * (1.0 + 1.2 * (1.0 + 32.0 / (9.0 * math.pi)) * contact)
+
+
+def reynolds():
+    for spacing in (0.05, 0.1, 0.2, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0, 8.0):
+        for factor in (0.02, 0.04, 0.08, 0.16, 0.32, 0.5, 0.6, 0.7, 0.8, 1.0):
+            yield Point("cell_reynolds", spacing, factor, quiet(QUIET_FRACTION, spacing, factor, "continuum.artificial_dissipation=0"))
+
+
+THIN_FRACTION, THIN_SPACING = 1e-4, 0.2
+
+
+def artificial_dissipation():
+    strengths = (0.0, 0.05, 0.1, 0.17, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.8, 1.0)
+    for x in strengths:
+        given = f"continuum.artificial_dissipation={x}"
+        for factor in (0.02, 0.08, 0.16, 0.32, 0.5, 0.7):
+            yield Point("artificial_dissipation", x, factor, quiet(THIN_FRACTION, THIN_SPACING, factor, given))
+        for d, box in ((1, ("continuum.dimension=1",)), (2, ("continuum.dimension=2", "box.x=8", "box.y=2.5")),
+                       (3, ("continuum.dimension=3", "box.x=4", "box.y=4"))):
+            side = dict(change.split("=") for change in box if change.startswith("box")) or {"box.x": "4", "box.y": "4"}
+            number = round(9.84 * float(side["box.x"]) * float(side["box.y"]))
+            run = LAYER.but(*FTCS, given, *box, *(f"{key}={value}" for key, value in side.items()), f"particles.number={number}", "initial.noise=0.01",
+                            "continuum.spacing=0.5", "continuum.spacing_horizontal=0.5", "continuum.lid=40", "sample.average=1")
+            yield Point("artificial_dissipation", x, f"layer, {d}D", run, held(run.but("continuum.dimension=1", "initial.noise=0")))
+
+
+def collapse():
+    area = 6.4 * 6.6
+    for x in (0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0):
+        for depth in (1, 2, 3, 4, 6, 9, 13, 18):
+            yield Point("collapse", x, depth, GRAINS.but(f"particles.restitution={x}", f"particles.number={round(depth / 0.9 * area)}"))
+        for remedy, value in (("elastic_below", "particles.collapse_speed=0.1"), ("contact_time", "particles.collapse_time=0.001")):
+            yield Point("collapse", x, remedy, GRAINS.but(f"particles.restitution={x}", f"particles.collapse={remedy}", value))
+        yield Point("collapse", x, "e(v)", GRAINS.but(f'particles.restitution={{law="velocity", e0={x}}}'))
+
+
+def grains_acceleration():
+    for x in ACCELERATIONS:
+        shaken = GRAINS.but(f"plate.acceleration={x}", "plate.frequency=0.2", "box.ceiling=200")
+        for y, change in (("e = 0.9", ("particles.restitution=0.9",)), ("e(v), e0 = 0.9", ('particles.restitution={law="velocity", e0=0.9}',)),
+                          ("contact_time, e = 0.9", ("particles.restitution=0.9", "particles.collapse=contact_time", "particles.collapse_time=0.001"))):
+            run = shaken.but(*change)
+            fluid = dataclasses.replace(run, engine="continuum").but("continuum.spacing=0.4", "sample.frames=0")
+            yield Point("grains_acceleration", x, y, run, fluid)
+
+
+def packing():
+    for x in (0.05, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49, 0.5, 0.52, 0.545, 0.56, 0.58, 0.6, 0.62, 0.64, 0.65, 0.68, 0.7, 0.72, 0.73, 0.735, 0.739, 0.74, 0.7405, 0.75):
+        yield Point("packing", x, "gas", CRYSTAL.but(f"initial.volume_fraction={x}"))
+        yield Point("packing", x, "layer", GRAINS.but(f"initial.volume_fraction={x}", "particles.restitution=0.9", "sample.average=2"))
+
+
+CONTINUUM = (courant, diffusion, horizontal_spacing, volume_fraction, restitution, acceleration, reynolds, artificial_dissipation)
+GRAINS_MAPS = (collapse, grains_acceleration, packing)
+
+
+def points():
+    return [point for one in CONTINUUM + GRAINS_MAPS for point in one()]
+
+
+if __name__ == "__main__":
+    import collections
+    print(collections.Counter(point.map for point in points()), len(points()))
