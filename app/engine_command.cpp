@@ -15,6 +15,7 @@
 #include "app/run_folder.hpp"
 #include "app/uniform_run.hpp"
 #include "app/verification_run.hpp"
+#include "continuum/errors.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
@@ -57,6 +58,10 @@ int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spe
             return exit_code::stopped;
         }
         run.write(files.output(), loop.spent(), parent);
+    } catch (const continuum::RunFailed&) {
+        loop.keep_last_state();
+        loop.finish("failed");
+        throw;
     } catch (...) {
         loop.finish("failed");
         throw;

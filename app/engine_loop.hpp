@@ -59,6 +59,9 @@ class EngineLoop {
 
     Spent spent() const { return {before_.wall + elapsed(), before_.cpu + cpu_seconds()}; }
 
+    /// Where a run has failed but the state is the last sound one.
+    void keep_last_state() { checkpoint(); }
+
     /// The last word on the run, after its files are written.
     void finish(const std::string& state) { report(state, true); }
 

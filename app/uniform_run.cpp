@@ -192,6 +192,15 @@ std::vector<Measured> UniformRun::results() const {
             all.push_back(mean_of("self-diffusion / sqrt(T)", diffusion, theory::self_diffusion(phi, scene_.box.x),
                                   "Erpenbeck and Wood 1991 in a cube of this side (Yeh and Hummer 2004)"));
     }
+    // The theory of the fluid ends where it freezes; of the crystal the pressure is known.
+    if (phi > theory::freezing) {
+        for (Measured& m : all)
+            if (m.name != a2.name) m.reference.reset();
+        if (e == 1.0 && phi >= theory::melting) {
+            all.front().reference = theory::compressibility_crystal(phi);
+            all.front().source = "Speedy 1998, face-centred cubic crystal";
+        }
+    }
     return all;
 }
 

@@ -26,7 +26,7 @@ std::string extremes(const Method& method) {
         for (std::int64_t iz = 0; iz < grid.nz; ++iz) {
             const auto i = static_cast<std::size_t>(grid.first(column) + iz);
             const auto take = [&](Extreme& most, double value) {
-                if (!(value <= most.value)) most = {value, column, iz};
+                if (!std::isnan(most.value) && !(value <= most.value)) most = {value, column, iz};
             };
             take(fastest, std::abs(flow.velocity_z[i]));
             take(hottest, flow.temperature[i]);
@@ -40,19 +40,44 @@ std::string extremes(const Method& method) {
                        place(fastest), place(hottest), place(densest));
 }
 
-void refuse_drift(const Method& method, double t) {
+void refuse_unsound(const Method& method, double t) {
+    const double held = method.mass_share_at_temperature_floor();
+    if (!(held <= most_mass_at_floor))
+        throw RunFailed(
+            fmt::format("continuum: at time {:.6g} in the cycle {:.0f} % of the mass is held at the temperature floor "
+                        "{:.3g} (at most {:.0f} % is allowed): the gas has frozen; lower continuum.floor_temperature, "
+                        "or raise the restitution; {}",
+                        t, 100.0 * held, method.floor_temperature(), 100.0 * most_mass_at_floor, extremes(method)),
+            t);
     const Drift made = method.drift();
     if (!(std::abs(made.mass) <= most_mass_made))
-        throw RunFailed(fmt::format(
-            "continuum: at time {:.6g} in the cycle the method has made {:.3g} % of the mass (at most {:.0f} % is "
-            "allowed): its differences do not resolve the flow; {}",
-            t, 100.0 * made.mass, 100.0 * most_mass_made, extremes(method)));
+        throw RunFailed(
+            fmt::format(
+                "continuum: at time {:.6g} in the cycle the method has made {:.3g} % of the mass (at most {:.0f} % is "
+                "allowed): its differences do not resolve the flow; {}",
+                t, 100.0 * made.mass, 100.0 * most_mass_made, extremes(method)),
+            t);
     if (!(std::abs(made.energy) <= most_energy_made))
-        throw RunFailed(fmt::format(
-            "continuum: at time {:.6g} in the cycle the method has made {:.3g} % of the energy that there was and that "
-            "collisions have taken (at most {:.0f} % is allowed): its differences do not resolve the flow, or are "
-            "unstable; {}",
-            t, 100.0 * made.energy, 100.0 * most_energy_made, extremes(method)));
+        throw RunFailed(
+            fmt::format(
+                "continuum: at time {:.6g} in the cycle the method has made {:.3g} % of the energy that there was and "
+                "that "
+                "collisions have taken (at most {:.0f} % is allowed): its differences do not resolve the flow, or are "
+                "unstable; {}",
+                t, 100.0 * made.energy, 100.0 * most_energy_made, extremes(method)),
+            t);
+}
+
+void refuse_instability(const Method& method, double t, double dt) {
+    const double unstable = method.unstable_share(dt);
+    if (!(unstable <= most_mass_unstable))
+        throw RunFailed(
+            fmt::format(
+                "continuum: at time {:.6g} in the cycle a step of {:.3g} is unstable where {:.0f} % of the mass is "
+                "(at most {:.0f} % is allowed): lower continuum.diffusion_factor, artificial_dissipation or "
+                "spacing; {}",
+                t, dt, 100.0 * unstable, 100.0 * most_mass_unstable, extremes(method)),
+            t);
 }
 
 }  // namespace
@@ -67,12 +92,14 @@ void advance(Method& method, double from, double to, double shortest) {
         if (!(dt >= shortest) && pieces != 1.0)
             throw RunFailed(fmt::format("continuum: a step of {:.3g} is asked for at time {:.6g} in the cycle, below "
                                         "the shortest one of {:.2g}: {}",
-                                        dt, from + done, shortest, extremes(method)));
+                                        dt, from + done, shortest, extremes(method)),
+                            from + done);
+        if (step % steps_between_looks == 1) refuse_instability(method, from + done, dt);
         method.step(from + done, dt);
         done = pieces <= 1.0 ? interval : done + dt;
-        if (step % steps_between_looks == 0) refuse_drift(method, from + done);
+        if (step % steps_between_looks == 0) refuse_unsound(method, from + done);
     }
-    refuse_drift(method, to);
+    refuse_unsound(method, to);
 }
 
 }  // namespace shaken::continuum

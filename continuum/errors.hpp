@@ -3,6 +3,7 @@
 #pragma once
 
 #include <stdexcept>
+#include <string>
 
 namespace shaken::continuum {
 
@@ -10,7 +11,8 @@ namespace shaken::continuum {
 /// The message says where (cell, height), when (cycle, time within it) and what was found. The state of the solver
 /// is the last one that was sound, so that a checkpoint of it can be written.
 struct RunFailed : std::runtime_error {
-    using std::runtime_error::runtime_error;
+    RunFailed(const std::string& message, double when) : std::runtime_error(message), time(when) {}
+    double time;  // of that state, in the cycle
 };
 
 }  // namespace shaken::continuum

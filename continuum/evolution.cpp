@@ -176,10 +176,11 @@ void Evolution::fail(double t, double dt) const {
                 "({}, {}), height {:.4g} above the plate would reach volume fraction {:.6g} (packing {:.4g}), velocity "
                 "{:.6g}, temperature {:.6g}",
                 t, dt, column % grid().nx, column / grid().nx, grid().centre(iz), sphere_volume * n, kernels_.packing,
-                start_.velocity_z[i], temperature));
+                start_.velocity_z[i], temperature),
+                t);
         }
     throw RunFailed(fmt::format(
-        "continuum: no step can be made at time {:.6g} in the cycle (the last one tried was {:.3g})", t, dt));
+        "continuum: no step can be made at time {:.6g} in the cycle (the last one tried was {:.3g})", t, dt), t);
 }
 
 double Evolution::bytes_per_cell() const {

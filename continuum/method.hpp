@@ -39,6 +39,9 @@ class Method {
     virtual double floor_temperature() const = 0;
     virtual Ledger ledger() const = 0;
     virtual Drift drift() const { return {}; }
+    /// Share of the mass where a step of dt is longer than linear stability allows; 0 for a method that sees to it
+    /// itself.
+    virtual double unstable_share(double /*dt*/) const { return 0.0; }
     virtual std::int64_t steps() const = 0;
 
     virtual void save(files::CheckpointWriter& out) const = 0;

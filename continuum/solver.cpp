@@ -29,32 +29,25 @@ struct Solver::Parts {
     void advance_one_phase() {
         const double from = instant(phase), to = instant(phase + 1);
         try {
-            advance(*method, from, to, (to - from) / most_steps_a_phase);
+            advance(*method, from + past, to, (to - from) / most_steps_a_phase);
         } catch (const RunFailed& failure) {
-            throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle));
+            past = failure.time - from;
+            throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle), failure.time);
         }
+        past = 0.0;
         if (++phase == phases) {
             phase = 0;
             ++cycle;
         }
-        const double share = method->mass_share_at_temperature_floor();
-        if (share > most_mass_at_floor)
-            throw RunFailed(fmt::format(
-                "continuum: at cycle {}, time {:.6g} in the cycle, {:.0f} % of the mass is held at the temperature "
-                "floor {:.3g} "
-                "(at most {:.0f} % is allowed): the gas has frozen; lower continuum.floor_temperature, or raise the "
-                "restitution",
-                cycle, instant(phase), 100.0 * share, method->floor_temperature(), 100.0 * most_mass_at_floor));
     }
 
     static constexpr double most_steps_a_phase = 1e6;
-    // Heat that the floor gives to this much of the layer is no longer a correction.
-    static constexpr double most_mass_at_floor = 0.5;
 
     std::unique_ptr<Method> method;
     double period;
     std::int64_t phases;
     std::int64_t cycle = 0, phase = 0;
+    double past = 0.0;  // time since that phase, where a run has failed on the way to the next
 };
 
 Solver::Solver(const scene::Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
@@ -102,6 +95,7 @@ void Solver::save(files::CheckpointWriter& out) const {
     out.put("continuum/cycle", parts_->cycle);
     out.put("continuum/phase", parts_->phase);
     out.put("continuum/phases", parts_->phases);
+    out.put("continuum/past", parts_->past);
 }
 
 void Solver::restore(const files::CheckpointReader& in) {
@@ -113,6 +107,7 @@ void Solver::restore(const files::CheckpointReader& in) {
     parts_->method->restore(in);
     parts_->cycle = in.take_one<std::int64_t>("continuum/cycle");
     parts_->phase = in.take_one<std::int64_t>("continuum/phase");
+    parts_->past = in.take_one<double>("continuum/past");
 }
 
 std::uint64_t Solver::state_hash() const {

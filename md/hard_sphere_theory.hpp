@@ -24,6 +24,15 @@ inline double compressibility_carnahan_starling(double phi) {
     return (1.0 + phi + phi * phi - phi * phi * phi) / std::pow(1.0 - phi, 3);
 }
 
+/// Where the fluid freezes and the crystal melts (Hoover and Ree 1968).
+inline constexpr double freezing = 0.494, melting = 0.545;
+
+/// Z of the face-centred cubic crystal, Speedy 1998 (J. Phys.: Condens. Matter 10, 4387), from melting on.
+inline double compressibility_crystal(double phi) {
+    const double z = phi * 3.0 * std::numbers::sqrt2 / std::numbers::pi;  // of close packing
+    return 3.0 / (1.0 - z) - 0.5921 * (z - 0.7072) / (z - 0.601);
+}
+
 /// chi from Z = 1 + 4 phi chi.
 inline double contact_value(double phi) { return (compressibility(phi) - 1.0) / (4.0 * phi); }
 

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "md/errors.hpp"
+#include "md/hard_sphere_theory.hpp"
 #include "md/neighbour_lists.hpp"
 #include "scene/random_stream.hpp"
 
@@ -82,6 +83,31 @@ class Disorder {
         for (std::uint32_t i = 0; i < centres_.size(); ++i) cells_[cell(centres_[i])].push_back(i);
     }
 
+    /// Melts the lattice as smaller spheres, which are then pushed apart as large ones.
+    void melt(double share_of_diameter, scene::RandomStream& random) {
+        diameter_ = share_of_diameter;
+        stir(random);
+        diameter_ = 1.0;
+        overlapping_ = true;
+        for (int n = 0; n < 10000 && overlapping_; ++n) {
+            sweep(0.05, random);
+            overlapping_ = false;
+            for (std::size_t i = 0; i < centres_.size(); ++i)
+                overlapping_ = overlapping_ || overlap(centres_[i], i) > 0.0;
+        }
+    }
+
+    /// Sweeps by which a particle wanders about a diameter at nu = 0.3.
+    void stir(scene::RandomStream& random) {
+        double step = 0.3;
+        constexpr int sweeps = 60;
+        for (int n = 0; n < sweeps; ++n) {
+            const double accepted = sweep(step, random);
+            step = std::clamp(step * (accepted < 0.4 ? 0.9 : 1.1), 1e-3, 0.5);
+        }
+    }
+
+  private:
     /// Every particle tries one move, in turn. Returns the share accepted.
     double sweep(double step, scene::RandomStream& random) {
         std::size_t accepted = 0;
@@ -94,7 +120,8 @@ class Disorder {
                 moved[2] = region_.z.wrapped(moved[2]);
             else if (moved[2] < region_.lower || moved[2] > region_.upper)
                 continue;
-            if (touches(moved, i)) continue;
+            const double wanted = overlap(moved, i);
+            if (wanted > 0.0 && !(overlapping_ && wanted <= overlap(centres_[i], i))) continue;
             const std::size_t from = cell(centres_[i]), to = cell(moved);
             centres_[i] = moved;
             ++accepted;
@@ -105,7 +132,6 @@ class Disorder {
         return static_cast<double>(accepted) / static_cast<double>(centres_.size());
     }
 
-  private:
     std::array<std::int64_t, 3> place(const Vector& r) const {
         const std::array<double, 3> length{region_.x.length, region_.y.length, region_.upper - region_.lower};
         const Vector from{r[0], r[1], r[2] - region_.lower};
@@ -120,7 +146,10 @@ class Disorder {
         const auto at = place(r);
         return static_cast<std::size_t>((at[2] * count_[1] + at[1]) * count_[0] + at[0]);
     }
-    bool touches(const Vector& r, std::size_t self) const {
+    /// Sum of the squared depths to which a particle there would overlap the others; 0: none. While nothing may
+    /// overlap, any overlap is 1.
+    double overlap(const Vector& r, std::size_t self) const {
+        double sum = 0.0;
         const auto at = place(r);
         const auto moved = [&](std::size_t axis, std::int64_t by) {
             return (at[axis] + by + count_[axis]) % count_[axis];
@@ -135,15 +164,21 @@ class Disorder {
                                      y = region_.y.image(centres_[j][1] - r[1]);
                         const double z =
                             region_.z.length > 0.0 ? region_.z.image(centres_[j][2] - r[2]) : centres_[j][2] - r[2];
-                        if (x * x + y * y + z * z < 1.0) return true;
+                        const double square = x * x + y * y + z * z;
+                        if (square >= diameter_ * diameter_) continue;
+                        if (!overlapping_) return 1.0;
+                        const double depth = diameter_ - std::sqrt(square);
+                        sum += depth * depth;
                     }
-        return false;
+        return sum;
     }
 
     const Region& region_;
     std::vector<Vector>& centres_;
     std::array<std::int64_t, 3> count_;
     std::vector<std::vector<std::uint32_t>> cells_;
+    double diameter_ = 1.0;
+    bool overlapping_ = false;  // whether some spheres are still to be pushed apart
 };
 
 /// Maxwell velocities with zero total momentum and exactly this temperature.
@@ -202,12 +237,11 @@ Snapshot make_initial_state(const InitialState& state, const Box& box) {
         if (random.uniform() * static_cast<double>(left--) < static_cast<double>(count - start.position.size()))
             start.position.push_back(site);
     Disorder disorder(region, start.position);
-    double step = 0.3;
-    constexpr int sweeps = 60;  // at nu = 0.3 a particle wanders about a diameter
-    for (int n = 0; n < sweeps; ++n) {
-        const double accepted = disorder.sweep(step, random);
-        step = std::clamp(step * (accepted < 0.4 ? 0.9 : 1.1), 1e-3, 0.5);
-    }
+    // Below this the lattice is lost while it is stirred; from there to freezing it would outlast many a run.
+    constexpr double lattice_lasts = 0.45, melts_at = 0.4;
+    if (box.periodic_z && state.volume_fraction > lattice_lasts && state.volume_fraction <= theory::freezing)
+        disorder.melt(std::cbrt(melts_at / state.volume_fraction), random);
+    disorder.stir(random);
     start.velocity = maxwell_velocities(state.particles, state.temperature, random);
     return start;
 }

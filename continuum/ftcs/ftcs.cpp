@@ -73,9 +73,7 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
 }
 
 // A thread without a column would only wait.
-int Ftcs::threads() const {
-    return static_cast<int>(std::min<std::int64_t>(omp_get_max_threads(), grid().columns()));
-}
+int Ftcs::threads() const { return static_cast<int>(std::min<std::int64_t>(omp_get_max_threads(), grid().columns())); }
 
 void Ftcs::enforce_walls(std::int64_t column) {
     const std::int64_t first = nodes_.first(column), last = first + grid().nz;
@@ -195,14 +193,17 @@ void Ftcs::fail(double t, double dt) const {
             if (next_.density[i] < constants_.packing_density && std::abs(next_.velocity_z[i]) < 1e100 &&
                 next_.temperature[i] < 1e100)
                 continue;
-            throw RunFailed(fmt::format(
-                "continuum: ftcs left the states there are at time {:.6g} in the cycle (step {:.3g}): column ({}, {}), "
-                "height {:.4g} above the plate would reach volume fraction {:.6g} (packing {:.4g}), velocity {:.6g}, "
-                "temperature {:.6g}",
-                t, dt, c % grid().nx, c / grid().nx, static_cast<double>(k) * grid().dz,
-                sphere_volume * next_.density[i], kernels_.packing, next_.velocity_z[i], next_.temperature[i]));
+            throw RunFailed(fmt::format("continuum: ftcs left the states there are at time {:.6g} in the cycle (step "
+                                        "{:.3g}): column ({}, {}), "
+                                        "height {:.4g} above the plate would reach volume fraction {:.6g} (packing "
+                                        "{:.4g}), velocity {:.6g}, "
+                                        "temperature {:.6g}",
+                                        t, dt, c % grid().nx, c / grid().nx, static_cast<double>(k) * grid().dz,
+                                        sphere_volume * next_.density[i], kernels_.packing, next_.velocity_z[i],
+                                        next_.temperature[i]),
+                            t);
         }
-    throw RunFailed(fmt::format("continuum: ftcs failed at time {:.6g} in the cycle (step {:.3g})", t, dt));
+    throw RunFailed(fmt::format("continuum: ftcs failed at time {:.6g} in the cycle (step {:.3g})", t, dt), t);
 }
 
 const Flow& Ftcs::flow() const {
@@ -270,6 +271,36 @@ Ledger Ftcs::ledger() const {
 Drift Ftcs::drift() const {
     const Ledger l = ledger();
     return {mass() / initial_mass_ - 1.0, l.dual_energy_gain / (l.initial_energy + l.collisional_loss)};
+}
+
+// Forward Euler multiplies a wave with dx/dt = M x by 1 + dt M. With K the second difference, h^2 K at most 4 a
+// direction,
+//     diffusion  dt D K <= 2          for D the viscosity of sound, (lambda + 4 mu/3)/n, and for 2 kappa/(3n)
+//     sound      dt c^2 <= 2 Gamma    c and Gamma speed and attenuation of long waves
+//                dt c_T^2 <= D        short ones, which conduct so fast that they are isothermal
+// D and 2 kappa/(3n) with the artificial C_AD h^2 exp(-200 nu)/dt.
+double Ftcs::unstable_share(double dt) const {
+    const auto squared = [](double spacing) { return 4.0 / (spacing * spacing); };
+    const double curvature =
+        squared(grid().dz) + (grid().nx > 1 ? squared(grid().dx) : 0.0) + (grid().ny > 1 ? squared(grid().dy) : 0.0);
+    const double artificial = strength_ * smallest_spacing_ * smallest_spacing_ / dt;
+    double unstable = 0.0, all = 0.0;
+    for (std::int64_t c = 0; c < grid().columns(); ++c)
+        for (std::int64_t k = 0; k < nodes_.nz; ++k) {
+            const auto i = static_cast<std::size_t>(nodes_.first(c) + k);
+            const double n = now_.density[i], temperature = now_.temperature[i];
+            const double fade = artificial * std::exp(-200.0 * sphere_volume * n);
+            const double viscous = (bulk_[i] + (4.0 / 3.0) * shear_[i]) / n + fade;
+            const double thermal = (2.0 / 3.0) * conductivity_[i] / n + fade;
+            const double adiabatic = sound_[i] * sound_[i], chi = pressure_[i] / (n * temperature);
+            const double isothermal = adiabatic - (2.0 / 3.0) * chi * chi * temperature;
+            const double attenuation = 0.5 * (viscous + thermal * (1.0 - isothermal / adiabatic));
+            const bool stable = dt * curvature * larger(viscous, thermal) <= 2.0 &&
+                                dt * adiabatic <= 2.0 * attenuation && dt * isothermal <= viscous;
+            all += n;
+            if (!stable) unstable += n;
+        }
+    return unstable / all;
 }
 
 void Ftcs::save(files::CheckpointWriter& out) const {

@@ -43,6 +43,8 @@ class Ftcs : public Method {
     /// dual_energy_gain is what the differences make or lose: the balance of all other entries.
     Ledger ledger() const override;
     Drift drift() const override;
+    /// By von Neumann's conditions for gas at rest, which its own rules for the step do not know; after longest_step().
+    double unstable_share(double dt) const override;
     std::int64_t steps() const override { return steps_; }
 
     void save(files::CheckpointWriter& out) const override;

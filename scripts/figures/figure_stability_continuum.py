@@ -6,10 +6,11 @@ from pathlib import Path
 import numpy as np
 
 from ftcs_theory import NU_MAX, Gas
-from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory
+from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory, title
 from style import plt, save
 
 NAME = "figure_stability_continuum"
+SPLIT = 0.02
 QUIET, THIN, THIN_SPACING = Gas(0.2), Gas(1e-4), 0.2  # the tubes of scripts/workflow/stability_points.py
 
 
@@ -17,7 +18,7 @@ def courant(axis, rows):
     rows_panel(axis, of_map(rows, "cfl"))
     axis.axvspan(1.0, 2.1, color="0.93", zorder=0)
     axis.set(xlim=(0, 2.1), xlabel="Courant number, continuum.cfl")
-    theory(axis, 1.0, "unsplit scheme: 1")
+    theory(axis, 1.0, "limit of an unsplit scheme")
     default(axis, 0.8)
 
 
@@ -35,10 +36,20 @@ def spacing(axis, rows):
 
 
 def fraction(axis, rows):
-    rows_panel(axis, of_map(rows, "volume_fraction"))
-    axis.set(xscale="log", xlabel=r"volume fraction at the start, $\nu$")
-    theory(axis, NU_MAX, "packing")
-    default(axis, 0.3)
+    """Two scales side by side: decades where it is dilute, even ones where it is dense."""
+    rows = of_map(rows, "volume_fraction")
+    names = list(dict.fromkeys(row["y"] for row in rows))
+    grid = axis.get_subplotspec().subgridspec(1, 2, width_ratios=[1.0, 1.5], wspace=0.03)
+    thin, dense = (axis.figure.add_subplot(place) for place in grid)
+    axis.remove()
+    rows_panel(thin, [row for row in rows if float(row["x"]) <= SPLIT], names)
+    rows_panel(dense, [row for row in rows if float(row["x"]) > SPLIT], names)
+    thin.set(xscale="log", xlim=(4e-9, 2.5e-2))
+    dense.set(xlim=(0.0, 0.73), yticklabels=[])
+    dense.set_xlabel(r"volume fraction at the start, $\nu$", x=0.2)
+    theory(dense, NU_MAX, "packing")
+    default(dense, 0.3)
+    return thin
 
 
 def restitution(axis, rows):
@@ -53,7 +64,7 @@ def acceleration(axis, rows):
     axis.set_xticks([0.5, 1, 2, 3, 5, 10], ["0.5", "1", "2", "3", "5", "10"])
     theory(axis, 1.0, "lift-off")
     for periods in (1, 2):
-        theory(axis, np.sqrt(1.0 + (periods * np.pi) ** 2), f"plug flies {periods} T")
+        theory(axis, np.sqrt(1.0 + (periods * np.pi) ** 2), f"plug flies {periods}$T$")
 
 
 def reynolds(axis, rows):
@@ -63,23 +74,22 @@ def reynolds(axis, rows):
     numbers = QUIET.cell_reynolds(spacings)
     axis.plot(numbers, [QUIET.largest_factor(h) for h in spacings], **THEORY)
     axis.plot(numbers, [QUIET.convection_limit(h) for h in spacings], color=THEORY["color"], lw=0.9, ls=":")
-    axis.set(xscale="log", yscale="log", ylim=(0.015, 1.3), xlim=(0.08, 20), xlabel=r"cell Reynolds number of sound, $c h/(\lambda + 4\mu/3)\,n$", ylabel="diffusion factor, $s$")
+    axis.set(xscale="log", yscale="log", ylim=(0.015, 1.3), xlim=(0.08, 20), xlabel=r"cell Reynolds number of sound, $c h/D$  (dotted: $\Delta t = 2D/c^2$)", ylabel="diffusion factor, $s$")
     axis.axhline(0.16, color="0.35", lw=0.9, ls=(0, (2, 2)))
-    axis.text(0.03, 0.05, r"dotted: $\Delta t = 2D/c^2$", transform=axis.transAxes, fontsize=7, color=THEORY["color"])
 
 
 def artificial(axis, rows):
     all_rows = of_map(rows, "artificial_dissipation")
-    tube = [row for row in all_rows if not row["y"].startswith("layer")]
+    tube = [row for row in all_rows if not row["y"].startswith("gas")]
     scatter(axis, tube, lambda row: np.log10(float(row["y"])))
     strengths = np.linspace(0.0, 0.5, 60)
     limits = [THIN.largest_factor(THIN_SPACING, strength) for strength in strengths]
     axis.plot(strengths, np.log10(np.maximum(limits, 0.004)), **THEORY)
-    layers = [row for row in all_rows if row["y"].startswith("layer")]
-    heights = {f"layer, {d}D": 0.15 + 0.25 * d for d in (1, 2, 3)}
-    scatter(axis, layers, lambda row: heights[row["y"]])
-    for d in (1, 2, 3):
-        axis.plot([0.5 / d] * 2, [heights[f"layer, {d}D"] - 0.1, heights[f"layer, {d}D"] + 0.1], **THEORY)
+    heights = {f"gas at rest, {d}D": 0.15 + 0.25 * d for d in (1, 2, 3)}
+    scatter(axis, [row for row in all_rows if row["y"] in heights], lambda row: heights[row["y"]])
+    for d, height in zip((1, 2, 3), heights.values()):
+        axis.plot([0.5 / d] * 2, [height - 0.1, height + 0.1], **THEORY)
+    axis.text(0.53, 0.16, "$1/(2d)$", fontsize=8, color=THEORY["color"])
     ticks = {np.log10(s): f"tube, $s$ = {s}" for s in (0.02, 0.08, 0.16, 0.32, 0.7)} | {height: name for name, height in heights.items()}
     axis.set_yticks(list(ticks), list(ticks.values()), fontsize=8)
     axis.yaxis.set_minor_locator(plt.NullLocator())
@@ -93,9 +103,8 @@ def draw(folder):
     panels = (courant, fraction, restitution, acceleration, diffusion, spacing, reynolds, artificial)
     titles = ("Courant number", "dilute to dense", "restitution", "acceleration", "ftcs: explicit diffusion", "finite volumes: narrow columns",
               "ftcs without artificial dissipation, gas at rest", "ftcs: artificial dissipation")
-    for axis, panel, title, letter in zip(axes.flat, panels, titles, "abcdefgh"):
-        panel(axis, rows)
-        axis.set_title(f"({letter}) {title}", loc="left", fontsize=10)
+    for axis, panel, words, letter in zip(axes.flat, panels, titles, "abcdefgh"):
+        title(panel(axis, rows) or axis, letter, words)
     legend(figure, rows)
     shown = [row for row in rows if row["map"] in {"cfl", "diffusion", "spacing_horizontal", "volume_fraction", "restitution", "acceleration",
                                                   "cell_reynolds", "artificial_dissipation"}]

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory
+from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory, title
 from style import plt, save
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workflow"))
@@ -27,6 +27,7 @@ def collapse(axis, rows):
     # Free particles: N = ln(4/(1 - e))/(1 - e), McNamara and Young 1992.
     e = np.linspace(0.05, 0.97, 200)
     axis.plot(e, np.log2(np.log(4.0 / (1.0 - e)) / (1.0 - e)), color=THEORY["color"], lw=0.9, ls=":")
+    axis.text(0.61, np.log2(5.0), "column of $N = H/\\sigma$ on a wall,\none dimension (dotted: free)", fontsize=8, color=THEORY["color"], va="top")
     ticks = {np.log2(d): str(d) for d in (1, 2, 3, 4, 6, 9, 13, 18)} | {h: name for name, h in height.items()}
     axis.set_yticks(list(ticks), list(ticks.values()), fontsize=8)
     axis.yaxis.set_minor_locator(plt.NullLocator())
@@ -44,7 +45,7 @@ def marks(axis):
     axis.set_xticks([0.5, 1, 2, 3, 5, 10], ["0.5", "1", "2", "3", "5", "10"])
     theory(axis, 1.0, "lift-off")
     for periods in (1, 2):
-        theory(axis, np.sqrt(1.0 + (periods * np.pi) ** 2), f"plug flies {periods} T")
+        theory(axis, np.sqrt(1.0 + (periods * np.pi) ** 2), f"plug flies {periods}$T$")
 
 
 def plug_flight(acceleration):
@@ -70,7 +71,7 @@ def plug_flight(acceleration):
 
 
 def flight(axis, rows):
-    for name, look in (("e = 0.9", {"marker": "o", "color": "#0072B2"}), ("e(v), e0 = 0.9", {"marker": "s", "color": "#D55E00", "mfc": "none"})):
+    for name, look in (("e = 0.9", {"marker": "o", "color": "#0072B2"}), ("e(v), e0 = 0.5", {"marker": "s", "color": "#D55E00", "mfc": "none"})):
         shown = [row for row in of_map(rows, "grains_acceleration") if row["y"] == name and row["flight/period"]]
         axis.plot([float(row["x"]) for row in shown], [float(row["flight/period"]) for row in shown], ls="none", label=name, **look)
     accelerations = np.geomspace(0.5, 10.0, 300)
@@ -106,10 +107,10 @@ def draw(folder):
     right = grid[2, 1].subgridspec(2, 1, height_ratios=[0.35, 1.0])
     axes = [figure.add_subplot(place) for place in (*places.values(), right[0], right[1])]
     titles = ("constant restitution: inelastic collapse", "acceleration", "time off the plate, $H = 9$", "packing", "")
-    for axis, panel, title, letter in zip(axes, (collapse, acceleration, flight, packing, pressure), titles, "abcd "):
+    for axis, panel, words, letter in zip(axes, (collapse, acceleration, flight, packing, pressure), titles, "abcd "):
         panel(axis, rows)
-        if title:
-            axis.set_title(f"({letter}) {title}", loc="left", fontsize=10)
+        if words:
+            title(axis, letter, words)
     legend(figure, rows)
     return save(figure, folder / "figures", NAME, columns([row for row in rows if row["map"] in ("collapse", "grains_acceleration", "packing")]))
 

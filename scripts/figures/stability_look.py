@@ -47,21 +47,26 @@ def rows_panel(axis, rows, names=None):
     return heights
 
 
-def default(axis, x, words="default"):
+def default(axis, x):
     axis.axvline(x, **DEFAULT)
-    axis.annotate(words, (x, 1.0), xycoords=("data", "axes fraction"), xytext=(2, -2), textcoords="offset points", rotation=90, va="top", fontsize=7, color="0.35")
 
 
 def theory(axis, x, words):
+    """A line, named above the panel."""
     axis.axvline(x, **THEORY)
-    axis.annotate(words, (x, 0.02), xycoords=("data", "axes fraction"), xytext=(2, 2), textcoords="offset points", rotation=90, va="bottom", fontsize=7, color=THEORY["color"])
+    axis.annotate(words, (x, 1.0), xycoords=("data", "axes fraction"), xytext=(0, 2), textcoords="offset points", ha="center", va="bottom", fontsize=7.5,
+                  color=THEORY["color"])
+
+
+def title(axis, letter, words):
+    axis.set_title(f"({letter}) {words}", loc="left", fontsize=10, pad=14)
 
 
 def legend(figure, rows):
     ends = {row["end"] if row["end"] in LOOKS else "defect" for row in rows}
-    handles = [plt.scatter([], [], label=WORDS[end], **look) for end, look in LOOKS.items() if end in ends]
+    handles = [figure.axes[0].scatter([], [], label=WORDS[end], **look) for end, look in LOOKS.items() if end in ends]
     handles += [plt.Line2D([], [], label="theory", **THEORY), plt.Line2D([], [], label="default of the scenes", **DEFAULT)]
-    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), fontsize=8)
+    figure.legend(handles=handles, loc="lower center", bbox_to_anchor=(0.5, 1.0), ncols=len(handles), fontsize=9)
 
 
 def columns(rows):

@@ -16,7 +16,7 @@ import tempfile
 import h5py
 import numpy as np
 
-WALL_BUDGET = 40.0   # seconds after which a layer is stopped with a checkpoint, exit code 75
+WALL_BUDGET = 30.0   # seconds after which a layer is stopped with a checkpoint, exit code 75
 KILLED_AFTER = 120.0  # and what has not ended by itself by then hangs
 
 

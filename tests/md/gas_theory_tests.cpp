@@ -36,6 +36,22 @@ TEST_CASE("the theory of hard spheres gives the tabulated pressures, rates and d
     CHECK(theory::self_diffusion(0.3, 1e9) == Approx(theory::self_diffusion(0.3)));
 }
 
+TEST_CASE("a gas has the pressure of the fluid up to freezing and of the crystal from melting on") {
+    const double fraction = GENERATE(0.45, 0.47, 0.48, 0.49, theory::freezing, theory::melting, 0.6, 0.7, 0.735);
+    md::Simulation simulation(small::gas(500, fraction));
+    simulation.advance_to(2, 0.0);
+    const double before = simulation.ledger().virial;
+    simulation.advance_to(6, 0.0);
+    const double n = 500.0,
+                 heat = 1.0 * n / (n - 1.0) * 4.0 * simulation.plate_period();  // of the moving degrees of freedom
+    const double pressure = 1.0 + (simulation.ledger().virial - before) / (3.0 * n * heat);
+    const double expected =
+        fraction <= theory::freezing ? theory::compressibility(fraction) : theory::compressibility_crystal(fraction);
+    INFO("volume fraction " << fraction << ", pressure " << pressure << ", theory " << expected);
+    // Statistics of some ten thousand contacts, slow modes of the dense fluid included; the crystal scatters by less.
+    CHECK(pressure == Approx(expected).epsilon(0.04));
+}
+
 TEST_CASE("self-diffusion of hard spheres is that of the literature, with its finite-size correction") {
     constexpr double fraction = 0.3;
     const auto system = small::gas(500, fraction);
