@@ -237,8 +237,8 @@ Snapshot make_initial_state(const InitialState& state, const Box& box) {
         if (random.uniform() * static_cast<double>(left--) < static_cast<double>(count - start.position.size()))
             start.position.push_back(site);
     Disorder disorder(region, start.position);
-    // Below this the lattice is lost while it is stirred; from there to freezing it would outlast many a run.
-    constexpr double lattice_lasts = 0.45, melts_at = 0.4;
+    // Below this the lattice is lost while it is stirred; from there to freezing it would outlast the settling of a run.
+    constexpr double lattice_lasts = 0.4, melts_at = 0.3;
     if (box.periodic_z && state.volume_fraction > lattice_lasts && state.volume_fraction <= theory::freezing)
         disorder.melt(std::cbrt(melts_at / state.volume_fraction), random);
     disorder.stir(random);
