@@ -18,6 +18,11 @@ def make(root, out, figures, jobs, dry_run, command):
         return 66
     out = pathlib.Path(out).resolve()
     table = [root / "scripts/workflow/stability_table.py", root, shaken, out, jobs, *(["--dry-run"] if dry_run else [])]
-    scripts = [table] if dry_run else [table, *([root / f"scripts/figures/{name}.py", out] for name in figures or FIGURES)]
-    codes = [subprocess.run(["/usr/bin/python3", "-B", *map(str, words)], check=False).returncode for words in scripts]
-    return max(codes)
+    code = run(table)
+    if dry_run or code not in (0, 1):
+        return code
+    return max([code, *(run([root / f"scripts/figures/{name}.py", out]) for name in figures or FIGURES)])
+
+
+def run(words):
+    return subprocess.run(["/usr/bin/python3", "-B", *map(str, words)], check=False).returncode

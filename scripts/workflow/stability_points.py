@@ -32,8 +32,8 @@ class Point:
 
 
 # Short runs of small scenes: some cycles from the flat layer on, which hold its fall, its impact and its shock.
-LAYER = Run("continuum", "ch4_shock", ("sample.phases=20", "sample.settle=0", "sample.average=4", "sample.frames=0", "continuum.spacing=0.4"))
-STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=2", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4"))
+LAYER = Run("continuum", "ch4_shock", ("sample.phases=20", "sample.settle=0", "sample.average=2", "sample.frames=0", "continuum.spacing=0.4"))
+STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=1", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4"))
 RIEMANN = Run("continuum", "verify_riemann", ("continuum.spacing=0.1",))
 COLUMN = Run("continuum", "verify_column", ("continuum.spacing=0.2", "tube.time=10"))
 COOLING = Run("continuum", "uniform_cooling", ("sample.settle=0", "sample.duration=1000"))
@@ -42,7 +42,7 @@ GRAINS = Run("md", "collapse_stall", ("sample.settle=0", "sample.average=4", "sa
 CRYSTAL = Run("md", "uniform_elastic", ("particles.number=256", "sample.settle=1", "sample.duration=2", "sample.interval=0.25"))
 
 FTCS = ("continuum.scheme=ftcs",)
-FTCS_LAYER = LAYER.but(*FTCS, "continuum.spacing=0.2", "sample.average=2")  # coarser, it does not survive the impact
+FTCS_LAYER = LAYER.but(*FTCS, "continuum.spacing=0.2", "sample.average=1")  # coarser, it does not survive the impact
 FINE = ("continuum.scheme=weno5", "continuum.flux=hll", "continuum.cfl=0.5")
 SCHEMES = {
     "muscl hllc": ("continuum.scheme=muscl", "continuum.flux=hllc"),
@@ -62,16 +62,16 @@ def held(run):
 
 def courant():
     for y, scheme in SCHEMES.items():
-        for x in (0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.7, 0.8, 0.9, 1.0, 1.2, 2.0):
+        for x in (0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.2, 2.0):
             for words, base in (("layer", LAYER), ("strip", STRIP), ("tube", RIEMANN)):
                 run = base.but(*scheme, f"continuum.cfl={x}")
                 yield Point("cfl", x, f"{y}, {words}", run, None if words == "tube" else base.but(*FINE) if words == "strip" else held(run))
 
 
 def diffusion():
-    for x in (0.02, 0.04, 0.08, 0.16, 0.24, 0.32, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0, 2.0):
+    for x in (0.04, 0.08, 0.16, 0.24, 0.32, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0, 2.0):
         for y, base in (("layer, dz = 0.2", FTCS_LAYER), ("layer, dz = 0.4", FTCS_LAYER.but("continuum.spacing=0.4")),
-                        ("strip, dz = 0.4", STRIP.but("sample.average=1")), ("tube, dz = 0.1", CLOSED)):
+                        ("strip, dz = 0.4", STRIP), ("tube, dz = 0.1", CLOSED)):
             run = base.but(*FTCS, f"continuum.diffusion_factor={x}")
             reference = held(run) if y.startswith("layer") else base.but(*FINE, DENSE)
             yield Point("diffusion", x, y, run, reference)
@@ -80,7 +80,7 @@ def diffusion():
 def horizontal_spacing():
     for x in (0.25, 0.5, 1.0, 2.0, 3.0, 7.0):
         for y in (DEFAULT, WENO):
-            box = ("box.x=21", "particles.number=504", "initial.wave_x=1", "sample.average=1", f"continuum.spacing_horizontal={x}")
+            box = ("box.x=21", "particles.number=504", "initial.wave_x=1", f"continuum.spacing_horizontal={x}")
             yield Point("spacing_horizontal", x, y, STRIP.but(*SCHEMES[y], *box), STRIP.but(*FINE, *box, "continuum.spacing_horizontal=1"))
 
 
@@ -103,15 +103,15 @@ def volume_fraction():
         for y in (DEFAULT, WENO):
             yield Point("volume_fraction", x, f"{y}, tube", RIEMANN.but(*SCHEMES[y], *half))
             yield Point("volume_fraction", x, f"{y}, column", COLUMN.but(*SCHEMES[y], f"initial.volume_fraction={x:g}"))
-            yield Point("volume_fraction", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
+            yield Point("volume_fraction", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer) if x <= 0.55 else None)
         yield Point("volume_fraction", x, f"{DEFAULT}, cooling", COOLING.but(f"initial.volume_fraction={x:g}"))
         closed = CLOSED.but(*FTCS, *half)
         yield Point("volume_fraction", x, "ftcs, tube", closed, closed.but(*FINE, DENSE))
-        yield Point("volume_fraction", x, "ftcs, layer", source, held(source))
+        yield Point("volume_fraction", x, "ftcs, layer", source, held(source) if x <= 0.55 else None)
 
 
 def restitution():
-    for x in (0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 0.99, 1.0):
+    for x in (0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 0.99, 1.0):
         layer = LAYER.but(f"particles.restitution={x}")
         for y in (DEFAULT, WENO):
             yield Point("restitution", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
@@ -122,7 +122,7 @@ def restitution():
         yield Point("restitution", x, f"{DEFAULT}, e(v)", law, held(law))
 
 
-ACCELERATIONS = (0.5, 0.8, 0.95, 1.05, 1.2, 1.5, 2.0, 2.5, 3.0, 3.3, 3.5, 4.0, 4.5, 5.0, 5.5, 6.0, 6.36, 7.0, 8.0, 9.0, 10.0)
+ACCELERATIONS = (0.5, 0.8, 0.95, 1.05, 1.2, 1.5, 2.0, 2.5, 3.0, 3.3, 4.0, 5.0, 6.0, 6.4, 7.0, 8.0, 9.0, 10.0)
 
 
 def acceleration():
@@ -180,8 +180,8 @@ def artificial_dissipation():
 
 def collapse():
     area = 6.4 * 6.6
-    for x in (0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 1.0):
-        for depth in (1, 2, 3, 4, 6, 9, 13, 18):
+    for x in (0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.9, 1.0):
+        for depth in (1, 2, 3, 4, 6, 9, 13):
             yield Point("collapse", x, depth, GRAINS.but(f"particles.restitution={x}", f"particles.number={round(depth / 0.9 * area)}"))
         for remedy, value in (("elastic_below", "particles.collapse_speed=0.1"), ("contact_time", "particles.collapse_time=0.001")):
             yield Point("collapse", x, remedy, GRAINS.but(f"particles.restitution={x}", f"particles.collapse={remedy}", value))

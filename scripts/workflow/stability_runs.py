@@ -12,6 +12,7 @@ import os
 import pathlib
 import subprocess
 import tempfile
+import time
 
 import h5py
 import numpy as np
@@ -46,6 +47,7 @@ def made(root, shaken, out, run):
 def ended(root, shaken, run, folder):
     words = [str(shaken), run.engine, str(root / f"data/scenes/{run.scene}.toml"), "--quiet", "--out", str(folder),
              *(word for change in run.changes for word in ("--set", change)), "--max-walltime", f"{WALL_BUDGET:g}"]
+    begin = time.monotonic()
     try:
         done = subprocess.run(words, capture_output=True, text=True, errors="replace", timeout=KILLED_AFTER,
                               env=os.environ | {"OMP_NUM_THREADS": "1"}, check=False)
@@ -53,7 +55,7 @@ def ended(root, shaken, run, folder):
         return {"code": None, "said": "", "numbers": {}}
     # Without the paths of this machine.
     said = done.stderr.strip().replace(str(root) + "/", "").replace(str(folder), "DIR")
-    kept = {"code": done.returncode, "said": said[:2000], "numbers": {}}
+    kept = {"code": done.returncode, "said": said[:2000], "seconds": round(time.monotonic() - begin, 2), "numbers": {}}
     return kept | left_by(run, folder) if done.returncode == 0 else kept
 
 
@@ -96,7 +98,7 @@ def of_layer(folder):
 def of_grains(folder):
     with h5py.File(folder / "md.h5") as file:
         seen = {name: group["value"][:] for name, group in file["observables"].items()}
-        time = file["observables/kinetic_energy/time"][:]
+        instants = file["observables/kinetic_energy/time"][:]
         places, velocities = file["particles/all/position/value"][-1], file["particles/all/velocity/value"][-1]
         sides = np.diag(file["particles/all/box/edges/value"][-1] if "value" in file["particles/all/box/edges"] else file["particles/all/box/edges"][()])
         periodic = [word in (b"periodic", "periodic") for word in file["particles/all/box"].attrs["boundary"]]
@@ -111,7 +113,7 @@ def of_grains(folder):
                "largest_speed": np.abs(velocities).max()}
     if "centre_of_mass" in seen:
         # The plate carries the weight, which is 1 a particle, over time; off it, next to nothing.
-        force = np.diff(seen["plate_impulse"]) / np.diff(time) / len(places)
+        force = np.diff(seen["plate_impulse"]) / np.diff(instants) / len(places)
         numbers["flight"] = float(np.mean(force[len(force) // 2:] < 0.02))
         return {"numbers": as_floats(numbers), "series": seen["centre_of_mass"].tolist()}
     measured = {entry["name"]: entry for entry in json.loads((folder / "summary.json").read_text())}

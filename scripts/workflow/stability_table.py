@@ -6,6 +6,7 @@ Runs what is not there yet, counts how the points ended, and ends with 1 where o
 import collections
 import csv
 import pathlib
+import resource
 import shutil
 import sys
 
@@ -55,7 +56,8 @@ def main():
         writer.writeheader()
         writer.writerows(rows)
     counts = collections.Counter(row["end"] for row in rows)
-    print(", ".join(f"{counts[end]} {end}" for end in stability_check.ENDS if counts[end]))
+    spent = resource.getrusage(resource.RUSAGE_CHILDREN)
+    print(", ".join(f"{counts[end]} {end}" for end in stability_check.ENDS if counts[end]), f"({spent.ru_utime + spent.ru_stime:.0f} s of CPU)")
     for row in rows:
         if row["end"] in stability_check.DEFECTS:
             print(f"{row['end']}: {row['message']}: {row['command']}", file=sys.stderr)

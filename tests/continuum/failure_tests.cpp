@@ -84,7 +84,7 @@ TEST_CASE("ftcs ends where its differences make energy or mass, instead of a wro
 
     Solver solver(coarse_layer());
     CHECK_THROWS_WITH(solver.advance_to_phase(4, 0),
-                      Contains("the method has made") && Contains("height") && Contains("in cycle 0"));
+                      Contains("the method has made") && Contains("height") && Contains("in cycle"));
 }
 
 TEST_CASE("a frozen gas is named under every scheme, with its place") {
@@ -95,7 +95,7 @@ TEST_CASE("a frozen gas is named under every scheme, with its place") {
     scene.continuum.floor_temperature = 0.5;
     Solver solver(scene);
     CHECK_THROWS_WITH(solver.advance_to_phase(5, 0),
-                      Contains("temperature floor 0.5") && Contains("height") && Contains("in cycle 0"));
+                      Contains("temperature floor 0.5") && Contains("height") && Contains("in cycle"));
 }
 
 TEST_CASE("what a failed run leaves stands at the time of its failure") {
