@@ -5,9 +5,11 @@ from pathlib import Path
 
 import numpy as np
 
-from ftcs_theory import NU_MAX, Gas
 from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory, title
 from style import plt, save
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workflow"))
+from gas_at_rest import NU_MAX, Gas  # noqa: E402
 
 NAME = "figure_stability_continuum"
 SPLIT = 0.02

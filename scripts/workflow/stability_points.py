@@ -6,6 +6,8 @@ A map is a list of points; x is the number varied, y the row it belongs to (a me
 import dataclasses
 import math
 
+from gas_at_rest import Gas
+
 
 @dataclasses.dataclass(frozen=True)
 class Run:
@@ -33,12 +35,14 @@ class Point:
 
 # Short runs of small scenes: some cycles from the flat layer on, which hold its fall, its impact and its shock.
 LAYER = Run("continuum", "ch4_shock", ("sample.phases=20", "sample.settle=0", "sample.average=2", "sample.frames=0", "continuum.spacing=0.4"))
-STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=1", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4"))
+STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=1", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4",
+                                          "box.x=21", "particles.number=504", "initial.wave_x=1"))
 RIEMANN = Run("continuum", "verify_riemann", ("continuum.spacing=0.1",))
 COLUMN = Run("continuum", "verify_column", ("continuum.spacing=0.2", "tube.time=10"))
 COOLING = Run("continuum", "uniform_cooling", ("sample.settle=0", "sample.duration=1000"))
 CLOSED = RIEMANN.but("tube.lower=wall", "tube.upper=wall", "continuum.transport=navier_stokes", "tube.time=2")
-GRAINS = Run("md", "collapse_stall", ("sample.settle=0", "sample.average=4", "sample.frames=1", "box.ceiling=200"))
+GRAINS = Run("md", "collapse_stall", ("sample.settle=0", "sample.average=4", "sample.frames=1", "box.ceiling=200",
+                                      "box.x=4.4", "box.y=4.6", "particles.number=202"))
 CRYSTAL = Run("md", "uniform_elastic", ("particles.number=256", "sample.settle=1", "sample.duration=2", "sample.interval=0.25"))
 
 FTCS = ("continuum.scheme=ftcs",)
@@ -57,7 +61,9 @@ DENSE = "continuum.closure=jenkins_richman_dense"  # what ftcs makes of jenkins_
 def held(run):
     """What a layer is held against: the fifth-order scheme at half the spacing and a smaller step; the same closure."""
     fine = run.but(*FINE, "continuum.spacing=0.2")
-    return fine.but(DENSE, "continuum.artificial_dissipation=0.1", "continuum.diffusion_factor=0.16") if "continuum.scheme=ftcs" in run.changes else fine
+    if FTCS[0] not in run.changes:
+        return fine
+    return fine.but(DENSE, "continuum.artificial_dissipation=0.1", "continuum.diffusion_factor=0.16")  # which only ftcs asks for
 
 
 def courant():
@@ -65,7 +71,8 @@ def courant():
         for x in (0.1, 0.2, 0.4, 0.6, 0.8, 0.9, 1.0, 1.2, 2.0):
             for words, base in (("layer", LAYER), ("strip", STRIP), ("tube", RIEMANN)):
                 run = base.but(*scheme, f"continuum.cfl={x}")
-                yield Point("cfl", x, f"{y}, {words}", run, None if words == "tube" else base.but(*FINE) if words == "strip" else held(run))
+                reference = {"layer": held(run), "strip": base.but(*FINE), "tube": None}[words]  # a tube has an exact solution
+                yield Point("cfl", x, f"{y}, {words}", run, reference)
 
 
 def diffusion():
@@ -78,28 +85,21 @@ def diffusion():
 
 
 def horizontal_spacing():
-    for x in (0.25, 0.5, 1.0, 2.0, 3.0, 7.0):
+    for x in (0.5, 1.0, 2.0, 3.0, 5.25, 7.0):
         for y in (DEFAULT, WENO):
-            box = ("box.x=21", "particles.number=504", "initial.wave_x=1", f"continuum.spacing_horizontal={x}")
-            yield Point("spacing_horizontal", x, y, STRIP.but(*SCHEMES[y], *box), STRIP.but(*FINE, *box, "continuum.spacing_horizontal=1"))
-
-
-def sound(fraction, gas=0.65):
-    """Speed of sound at T = 1 and e = 1; of no use at packing."""
-    power = min(0.999, (fraction / gas) ** (4.0 * gas / 3.0))
-    chi = 1.0 + 4.0 * fraction / (1.0 - power)
-    return math.sqrt(chi + 2.0 / 3.0 * chi**2 + 4.0 * fraction * (1.0 / (1.0 - power) + 4.0 * gas / 3.0 * power / (1.0 - power) ** 2))
+            run = STRIP.but(*SCHEMES[y], f"continuum.spacing_horizontal={x}")
+            yield Point("spacing_horizontal", x, y, run, STRIP.but(*FINE, "continuum.spacing_horizontal=1"))
 
 
 def volume_fraction():
-    for x in (1e-8, 1e-7, 1e-6, 1e-5, 1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.62, 0.64, 0.645, 0.649, 0.65, 0.7):
+    for x in (1e-8, 1e-6, 1e-4, 1e-3, 0.01, 0.05, 0.1, 0.2, 0.3, 0.4, 0.5, 0.55, 0.6, 0.62, 0.64, 0.649, 0.65, 0.7):
         side = max(2.0, math.sqrt(math.pi / (6.0 * x)))  # a layer ten diameters high, of at least ten particles
         number = round(10.0 * x * side**2 * 6.0 / math.pi)
         layer = LAYER.but(f"initial.volume_fraction={x:g}", f"box.x={side:.6g}", f"box.y={side:.6g}", f"particles.number={max(1, number)}",
                           "continuum.lid=40", "sample.average=1")
         source = layer.but(*FTCS, "continuum.spacing=0.2")
         # So short that no wave reaches an end.
-        half = f"initial.left.volume_fraction={x:g}", f"initial.right.volume_fraction={0.5 * x:g}", f"tube.time={min(0.6, 3.0 / sound(x)):.3g}"
+        half = f"initial.left.volume_fraction={x:g}", f"initial.right.volume_fraction={0.5 * x:g}", f"tube.time={min(0.6, 3.0 / Gas(min(x, 0.649)).speed):.3g}"
         for y in (DEFAULT, WENO):
             yield Point("volume_fraction", x, f"{y}, tube", RIEMANN.but(*SCHEMES[y], *half))
             yield Point("volume_fraction", x, f"{y}, column", COLUMN.but(*SCHEMES[y], f"initial.volume_fraction={x:g}"))
@@ -111,7 +111,7 @@ def volume_fraction():
 
 
 def restitution():
-    for x in (0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.85, 0.9, 0.95, 0.99, 1.0):
+    for x in (0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.8, 0.9, 0.95, 1.0):
         layer = LAYER.but(f"particles.restitution={x}")
         for y in (DEFAULT, WENO):
             yield Point("restitution", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
@@ -122,7 +122,7 @@ def restitution():
         yield Point("restitution", x, f"{DEFAULT}, e(v)", law, held(law))
 
 
-ACCELERATIONS = (0.5, 0.8, 0.95, 1.05, 1.2, 1.5, 2.0, 2.5, 3.0, 3.3, 4.0, 5.0, 6.0, 6.4, 7.0, 8.0, 9.0, 10.0)
+ACCELERATIONS = (0.5, 0.9, 1.1, 1.5, 2.0, 3.0, 4.0, 5.0, 6.5, 8.0, 10.0)
 
 
 def acceleration():
@@ -139,22 +139,15 @@ QUIET_CELLS, QUIET_STEPS, QUIET_FRACTION = 64, 4000, 0.2
 
 def quiet(fraction, spacing, factor, *changes):
     """A tube at rest with a step of density of one per cent, under ftcs, for some thousand steps."""
-    stiffest = stiffness(fraction)
-    step = factor * spacing**2 / stiffest
+    step = factor * spacing**2 / Gas(fraction).stiffest
     return CLOSED.but(*FTCS, f"continuum.spacing={spacing:g}", f"tube.length={QUIET_CELLS * spacing:g}", f"tube.time={QUIET_STEPS * step:.4g}",
                       f"continuum.diffusion_factor={factor:g}", f"initial.left.volume_fraction={1.005 * fraction:g}",
                       f"initial.right.volume_fraction={0.995 * fraction:g}", *changes)
 
 
-def stiffness(fraction):
-    """kappa/n at T = 1, e = 1 without the terms in 1/G: the largest of the coefficients that limit the step of ftcs."""
-    contact = fraction / (1.0 - (fraction / 0.65) ** (4.0 * 0.65 / 3.0))
-    return 15.0 / 16.0 * math.sqrt(math.pi) * (1.0 + 1.2 * (1.0 + 32.0 / (9.0 * math.pi)) * contact)
-
-
 def reynolds():
-    for spacing in (0.05, 0.1, 0.2, 0.5, 0.7, 1.0, 1.4, 2.0, 3.0, 5.0, 8.0):
-        for factor in (0.02, 0.04, 0.08, 0.16, 0.32, 0.5, 0.6, 0.7, 0.8, 1.0):
+    for spacing in (0.05, 0.2, 0.5, 1.0, 1.4, 2.0, 3.0, 5.0, 8.0):
+        for factor in (0.02, 0.04, 0.08, 0.16, 0.32, 0.5, 0.7, 0.8):
             yield Point("cell_reynolds", spacing, factor, quiet(QUIET_FRACTION, spacing, factor, "continuum.artificial_dissipation=0"))
 
 
@@ -168,10 +161,10 @@ REST = LAYER.but(*FTCS, "plate.acceleration=0", "plate.frequency=0.5", "particle
 
 
 def artificial_dissipation():
-    strengths = (0.0, 0.05, 0.1, 0.17, 0.25, 0.3, 0.35, 0.4, 0.45, 0.5, 0.55, 0.6, 0.8, 1.0)
+    strengths = (0.0, 0.1, 0.15, 0.2, 0.24, 0.3, 0.4, 0.45, 0.48, 0.55, 0.7, 1.0)
     for x in strengths:
         given = f"continuum.artificial_dissipation={x}"
-        for factor in (0.02, 0.08, 0.16, 0.32, 0.5, 0.7):
+        for factor in (0.02, 0.08, 0.16, 0.32, 0.5):
             yield Point("artificial_dissipation", x, factor, quiet(THIN_FRACTION, THIN_SPACING, factor, given))
         for d in (1, 2, 3):
             run = REST.but(given, f"continuum.dimension={d}")
@@ -179,7 +172,7 @@ def artificial_dissipation():
 
 
 def collapse():
-    area = 6.4 * 6.6
+    area = 4.4 * 4.6
     for x in (0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.9, 1.0):
         for depth in (1, 2, 3, 4, 6, 9, 13):
             yield Point("collapse", x, depth, GRAINS.but(f"particles.restitution={x}", f"particles.number={round(depth / 0.9 * area)}"))
@@ -200,19 +193,14 @@ def grains_acceleration():
 
 
 def packing():
-    for x in (0.05, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49, 0.5, 0.52, 0.545, 0.56, 0.58, 0.6, 0.62, 0.64, 0.65, 0.68, 0.7, 0.72, 0.73, 0.735, 0.739, 0.74, 0.7405, 0.75):
+    for x in (0.05, 0.1, 0.2, 0.3, 0.4, 0.45, 0.49, 0.52, 0.545, 0.58, 0.6, 0.62, 0.65, 0.68, 0.7, 0.72, 0.735, 0.739, 0.74, 0.7405, 0.75):
         yield Point("packing", x, "gas", CRYSTAL.but(f"initial.volume_fraction={x}"))
         yield Point("packing", x, "layer", GRAINS.but(f"initial.volume_fraction={x}", "particles.restitution=0.9", "sample.average=2"))
 
 
-CONTINUUM = (courant, diffusion, horizontal_spacing, volume_fraction, restitution, acceleration, reynolds, artificial_dissipation)
-GRAINS_MAPS = (collapse, grains_acceleration, packing)
+MAPS = (courant, diffusion, horizontal_spacing, volume_fraction, restitution, acceleration, reynolds, artificial_dissipation,
+        collapse, grains_acceleration, packing)
 
 
 def points():
-    return [point for one in CONTINUUM + GRAINS_MAPS for point in one()]
-
-
-if __name__ == "__main__":
-    import collections
-    print(collections.Counter(point.map for point in points()), len(points()))
+    return [point for one in MAPS for point in one()]

@@ -10,6 +10,7 @@ import hashlib
 import json
 import os
 import pathlib
+import signal
 import subprocess
 import tempfile
 import time
@@ -17,8 +18,9 @@ import time
 import h5py
 import numpy as np
 
-WALL_BUDGET = 30.0   # seconds after which a layer is stopped with a checkpoint, exit code 75
-KILLED_AFTER = 120.0  # and what has not ended by itself by then hangs
+STOPPED = 75
+CPU_BUDGET = 20.0    # seconds after which a run is asked to stop, and does so with a checkpoint and exit code 75
+KILLED_AFTER = 60.0  # what has not ended by itself by then hangs; of wall clock twenty times that
 
 
 def kept_at(out, run):
@@ -46,17 +48,40 @@ def made(root, shaken, out, run):
 
 def ended(root, shaken, run, folder):
     words = [str(shaken), run.engine, str(root / f"data/scenes/{run.scene}.toml"), "--quiet", "--out", str(folder),
-             *(word for change in run.changes for word in ("--set", change)), "--max-walltime", f"{WALL_BUDGET:g}"]
+             *(word for change in run.changes for word in ("--set", change))]
     begin = time.monotonic()
-    try:
-        done = subprocess.run(words, capture_output=True, text=True, errors="replace", timeout=KILLED_AFTER,
-                              env=os.environ | {"OMP_NUM_THREADS": "1"}, check=False)
-    except subprocess.TimeoutExpired:
-        return {"code": None, "said": "", "numbers": {}}
-    # Without the paths of this machine.
-    said = done.stderr.strip().replace(str(root) + "/", "").replace(str(folder), "DIR")
-    kept = {"code": done.returncode, "said": said[:2000], "seconds": round(time.monotonic() - begin, 2), "numbers": {}}
-    return kept | left_by(run, folder) if done.returncode == 0 else kept
+    with open(folder.parent / "said", "w+", errors="replace") as stderr:
+        process = subprocess.Popen(words, stdout=subprocess.DEVNULL, stderr=stderr, env=os.environ | {"OMP_NUM_THREADS": "1"})
+        code = watched(process, begin)
+        stderr.seek(0)
+        # Without the paths of this machine.
+        said = stderr.read().strip().replace(str(root) + "/", "").replace(str(folder), "DIR")
+    kept = {"code": code, "said": said[:2000], "seconds": round(time.monotonic() - begin, 2), "numbers": {}}
+    return kept | left_by(run, folder) if code == 0 else kept
+
+
+def watched(process, begin):
+    """Exit code; None of a run that had to be killed. By the time it computed, so that other work on the machine does not count."""
+    asked = False
+    while True:
+        try:
+            code = process.wait(timeout=0.05)
+            # A tube keeps no checkpoint and ends at once when it is asked to.
+            return STOPPED if asked and code == -signal.SIGTERM else code
+        except subprocess.TimeoutExpired:
+            spent = cpu_seconds(process.pid)
+        if spent > CPU_BUDGET and not asked:
+            process.terminate()
+            asked = True
+        if spent > KILLED_AFTER or time.monotonic() - begin > 20.0 * KILLED_AFTER:
+            process.kill()
+            process.wait()
+            return None
+
+
+def cpu_seconds(process):
+    fields = pathlib.Path(f"/proc/{process}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
 def left_by(run, folder):
