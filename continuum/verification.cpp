@@ -8,6 +8,7 @@
 #include <complex>
 #include <limits>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 #include "continuum/advance.hpp"
@@ -70,6 +71,17 @@ std::string departure_from_euler(const scene::Scene& scene) {
     return "";
 }
 
+/// The exact solution; where there is none, says why and leaves the case without.
+std::optional<exact::Riemann> solve_exactly(const GasState& left, const GasState& right, const scene::Scene& scene,
+                                            Case& c) {
+    try {
+        return exact::Riemann(left, right, state_of(scene));
+    } catch (const std::domain_error& none) {
+        c.why_no_exact = none.what();
+        return std::nullopt;
+    }
+}
+
 Case riemann(const scene::Scene& scene) {
     Case c{empty_tube(scene), {}, departure_from_euler(scene)};
     Setup& setup = c.setup;
@@ -81,13 +93,14 @@ Case riemann(const scene::Scene& scene) {
     for (std::int64_t i = 0; i < setup.grid.nz; ++i) put(setup, i, setup.grid.centre(i) < middle ? left : right);
     if (piston) c.why_no_exact = "the piston sends a wave of its own (the kind piston knows it)";
     if (!c.why_no_exact.empty()) return c;
-    const exact::Riemann solution(left, right, state_of(scene));
+    const std::optional<exact::Riemann> solution = solve_exactly(left, right, scene, c);
+    if (!solution) return c;
     const double reach = 0.5 * scene.tube.length / scene.tube.time;
-    const GasState below = solution.at(-reach), above = solution.at(reach);
+    const GasState below = solution->at(-reach), above = solution->at(reach);
     if (below.volume_fraction != left.volume_fraction || above.volume_fraction != right.volume_fraction)
         c.why_no_exact = "a wave has reached an end of the tube";
     for (std::int64_t i = 0; i < setup.grid.nz; ++i)
-        c.exact.push_back(solution.at((setup.grid.centre(i) - middle) / scene.tube.time));
+        c.exact.push_back(solution->at((setup.grid.centre(i) - middle) / scene.tube.time));
     return c;
 }
 
@@ -101,9 +114,10 @@ Case piston(const scene::Scene& scene) {
     if (!c.why_no_exact.empty()) return c;
     GasState image = gas;
     image.velocity = scene.tube.speed;
-    const exact::Riemann solution(image, gas, state_of(scene));
+    const std::optional<exact::Riemann> solution = solve_exactly(image, gas, scene, c);
+    if (!solution) return c;
     for (std::int64_t i = 0; i < setup.grid.nz; ++i)
-        c.exact.push_back(solution.at(setup.grid.centre(i) / scene.tube.time));
+        c.exact.push_back(solution->at(setup.grid.centre(i) / scene.tube.time));
     return c;
 }
 

@@ -13,7 +13,7 @@ from gas_at_rest import NU_MAX, Gas  # noqa: E402
 
 NAME = "figure_stability_continuum"
 SPLIT = 0.02
-QUIET, THIN, THIN_SPACING = Gas(0.2), Gas(1e-4), 0.2  # the tubes of scripts/workflow/stability_points.py
+QUIET, THIN, THIN_SPACING, REST_FACTOR = Gas(0.2), Gas(1e-4), 0.2, 0.04  # the gases of scripts/workflow/stability_points.py
 
 
 def courant(axis, rows):
@@ -90,8 +90,8 @@ def artificial(axis, rows):
     heights = {f"gas at rest, {d}D": 0.15 + 0.25 * d for d in (1, 2, 3)}
     scatter(axis, [row for row in all_rows if row["y"] in heights], lambda row: heights[row["y"]])
     for d, height in zip((1, 2, 3), heights.values()):
-        axis.plot([0.5 / d] * 2, [height - 0.1, height + 0.1], **THEORY)
-    axis.text(0.53, 0.16, "$1/(2d)$", fontsize=8, color=THEORY["color"])
+        axis.plot([(0.5 / d - 2.0 / 3.0 * REST_FACTOR) / np.exp(-200.0 * THIN.fraction)] * 2, [height - 0.1, height + 0.1], **THEORY)
+    axis.text(0.72, 0.36, "$1/(2d) - 2s/3$", fontsize=8, color=THEORY["color"])
     ticks = {np.log10(s): f"tube, $s$ = {s}" for s in (0.02, 0.08, 0.16, 0.32, 0.7)} | {height: name for name, height in heights.items()}
     axis.set_yticks(list(ticks), list(ticks.values()), fontsize=8)
     axis.yaxis.set_minor_locator(plt.NullLocator())
