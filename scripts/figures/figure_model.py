@@ -1,0 +1,64 @@
+# SPDX-License-Identifier: MIT
+"""Work and precision (c): error of the model, continuum against MD for each closure, above the bands of what the grid and the statistics leave uncertain."""
+import sys
+
+import numpy as np
+
+from style import DENSITY, TEMPERATURE, plt, save
+from work_precision_chart import columns_of, main, select, sign
+
+NAME = "figure_model"
+CLOSURES = ("jenkins_richman/goldshtein", "jenkins_richman/carnahan_starling", "garzo_dufty/goldshtein", "garzo_dufty/carnahan_starling", "jenkins_richman_dense/goldshtein")
+SHORT = ("JR\nG", "JR\nCS", "GD\nG", "GD\nCS", "JR dense\nG")
+PANELS = (("z_cm", r"$z_{cm}(ft)$"), ("density", "$n$ over the layer"), ("velocity", "$u$ over the layer"), ("temperature", "$T$ over the layer"), ("shock_location", "height of the shock"))
+LOOKS = {(80.0, ""): ("o", DENSITY, DENSITY), (80.0, "_half_diameter"): ("o", "white", DENSITY),
+         (200.0, ""): ("s", TEMPERATURE, TEMPERATURE), (200.0, "_half_diameter"): ("s", "white", TEMPERATURE)}
+CAPTION = (
+    "Error of the model on ch4_shock, per cent: the continuum at its default grid against the mean of the long MD runs, for each closure (JR: jenkins_richman, GD: garzo_dufty; "
+    "G: goldshtein, CS: carnahan_starling). Bands: error of the default grid (blue) and statistical error of the default MD run (red); whatever lies above them no finer grid and no "
+    "longer run will remove."
+)
+
+
+def of_default(rows, study, quantity, knob):
+    found = [r["error_percent"] for r in select(rows, study=study, quantity=quantity, knob=knob) if r["default"] == 1]
+    return found[0] if found else np.nan
+
+
+def panel(axis, rows, quantity):
+    shown = select(rows, study="model")
+    grid, statistics = of_default(rows, "ch4_shock", quantity, "dz"), of_default(rows, "md", quantity, "cycles")
+    for (lid, suffix), (marker, fill, edge) in LOOKS.items():
+        for i, closure in enumerate(CLOSURES):
+            for r in select(shown, scheme=closure, value=lid, quantity=quantity + suffix):
+                place = i + (-0.12 if lid == 80.0 else 0.12)
+                axis.errorbar(place, r["error_percent"], yerr=r["error_of_error"], marker=marker, color=edge, mfc=fill, ms=6)
+                if r["default"] and not suffix:
+                    axis.plot(place, r["error_percent"], "o", ms=13, mfc="none", mec="black", mew=1.3)
+    axis.set_yscale("log")
+    axis.set_ylim(3e-3, 100)
+    for percent, words, colour in ((statistics, "statistics, 150 cycles ", TEMPERATURE), (grid, r"grid, $\Delta z$ = 0.2 ", DENSITY)):
+        if np.isfinite(percent):
+            axis.axhspan(axis.get_ylim()[0], percent, color=colour, alpha=0.15, lw=0)
+            axis.text(4.45, percent, words, ha="right", va="bottom", fontsize=6.5, color=colour)
+    axis.set_xlim(-0.5, 4.5)
+    axis.set_xticks(range(len(CLOSURES)), SHORT, fontsize=7)
+    axis.tick_params(axis="x", which="both", length=0)
+
+
+def draw(rows, folder, signature):
+    figure, axes = plt.subplots(1, len(PANELS), figsize=(14.0, 4.8), sharey=True)
+    for axis, (quantity, title) in zip(axes, PANELS):
+        panel(axis, rows, quantity)
+        axis.set_title(title)
+    axes[0].set_ylabel("error, %")
+    handles = [plt.Line2D([], [], marker=marker, mfc=fill, mec=edge, ls="none", label=f"lid {lid:g}, floor {'half a diameter up' if suffix else 'at the plate'}")
+               for (lid, suffix), (marker, fill, edge) in LOOKS.items()]
+    handles.append(plt.Line2D([], [], color="black", marker="o", mfc="none", ls="none", ms=10, label="default"))
+    figure.legend(handles=handles, ncols=5, loc="outside upper center")
+    sign(figure, signature)
+    return save(figure, folder, NAME, columns_of(select(rows, study="model")))
+
+
+if __name__ == "__main__":
+    sys.exit(main(draw))
