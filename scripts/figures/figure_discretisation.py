@@ -48,9 +48,10 @@ def panel(axis, rows, study, quantity, x, with_labels):
 
 
 def draw(rows, folder, signature):
-    figure, axes = plt.subplots(2, len(PANELS), figsize=(14.0, 7.4), sharey="col")
+    panels = [p for p in PANELS if select(rows, study=p[0], quantity=p[1])]
+    figure, axes = plt.subplots(2, len(panels), figsize=(3.5 * len(panels), 7.4), sharey="col")
     shown = []
-    for i, (study, quantity, title) in enumerate(PANELS):
+    for i, (study, quantity, title) in enumerate(panels):
         for j, (x, words) in enumerate(AXES):
             drawn = panel(axes[j, i], rows, study, quantity, x, j == 0)
             axes[j, i].set_xlabel(words)
@@ -62,7 +63,7 @@ def draw(rows, folder, signature):
     handles += [plt.Line2D([], [], color="0.3", ls=line, label=knob) for knob, line in KNOBS.items()]
     handles += [plt.Line2D([], [], color="black", marker="o", mfc="none", ls="none", ms=9, label="default"),
                 plt.Line2D([], [], color="0.3", marker="x", ls="none", mew=2, ms=7, label="fails")]
-    figure.legend(handles=handles, ncols=8, loc="outside upper center")
+    figure.legend(handles=handles, ncols=8, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     sign(figure, signature)
     return save(figure, folder, NAME, columns_of(shown))
 

@@ -55,7 +55,7 @@ def draw(rows, folder, signature):
     handles = [plt.Line2D([], [], marker=marker, mfc=fill, mec=edge, ls="none", label=f"lid {lid:g}, floor {'half a diameter up' if suffix else 'at the plate'}")
                for (lid, suffix), (marker, fill, edge) in LOOKS.items()]
     handles.append(plt.Line2D([], [], color="black", marker="o", mfc="none", ls="none", ms=10, label="default"))
-    figure.legend(handles=handles, ncols=5, loc="outside upper center")
+    figure.legend(handles=handles, ncols=5, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     sign(figure, signature)
     return save(figure, folder, NAME, columns_of(select(rows, study="model")))
 

@@ -57,7 +57,7 @@ def draw(rows, folder, signature):
     handles = [plt.Line2D([], [], color=colour, marker=marker, ls=line, label=words) for marker, line, colour, words in KNOBS.values()]
     handles += [plt.Line2D([], [], color="0.45", ls=line, lw=0.9, label=words) for *_, line, words in FLOORS]
     handles += [plt.Line2D([], [], color="black", marker="o", mfc="none", ls="none", ms=9, label="default")]
-    figure.legend(handles=handles, ncols=7, loc="outside upper center")
+    figure.legend(handles=handles, ncols=7, loc="lower center", bbox_to_anchor=(0.5, 1.0))
     sign(figure, signature)
     return save(figure, folder, NAME, columns_of(shown))
 

@@ -36,8 +36,8 @@ CURVES = {
     ("riemann", "ftcs", "dz"): (0.1, 0.025),
     ("riemann", "muscl", "cfl"): (1.0, 0.8, 0.4, 0.2),
     ("riemann", "weno5", "cfl"): (1.0, 0.8, 0.4, 0.2),
-    ("wave", "muscl", "dz"): (40.0, 20.0, 10.0, 5.0, 2.0),
-    ("wave", "weno5", "dz"): (40.0, 20.0, 10.0, 5.0, 2.0),
+    ("wave", "muscl", "dz"): (20.0, 10.0, 5.0, 2.0),
+    ("wave", "weno5", "dz"): (20.0, 10.0, 5.0, 2.0),
 }
 # Runs that references are extrapolated from: the spacings are halved along one axis at a time.
 REFERENCES = {
