@@ -4,6 +4,7 @@ import json
 import re
 import subprocess
 import sys
+import textwrap
 from pathlib import Path
 
 import numpy as np
@@ -41,7 +42,7 @@ def label_values(axis, rows, x, knob, **look):
     """The knob's value beside its first, default and last point."""
     alive = [r for r in rows if r["end"] == "completed" and np.isfinite(r[x]) and r["error_percent"] > 0]
     for r in alive:
-        if r in (alive[0], alive[-1]) or r["default"]:
+        if r in (alive[0], alive[-1]) or (r["default"] and knob != "cfl "):
             axis.annotate(f"{knob}{r['value']:g}", (r[x], r["error_percent"]), textcoords="offset points", fontsize=6.5, **look)
 
 
@@ -68,12 +69,15 @@ def provenance(shaken, timings, command):
     processor = next((line.split(":", 1)[1].strip() for line in open("/proc/cpuinfo", encoding="utf-8") if line.startswith("model name")), "unknown processor")
     counts = [len(repeats) for repeats in json.loads(Path(timings).read_text()).values()] if Path(timings).is_file() else [0]
     times = f"{min(counts)}" if min(counts) == max(counts) else f"{min(counts)} to {max(counts)}"
-    return (f"{version}, {compiler}, {flags}; {processor}, one thread; CPU seconds: user and system, median of {times} timings, bars from the tenth to the "
+    return (f"{version}, {compiler}, {flags}; {processor}, one thread; CPU seconds: user and system, median of {times} timing{'' if times == '1' else 's'}, bars from the tenth to the "
             f"ninetieth percentile.\nMade by: {command}")
 
 
 def sign(figure, text):
-    figure.supxlabel(text, fontsize=6.5, color="0.35", x=0.01, ha="left")
+    """Under the figure, in lines as wide as it is."""
+    a_line = int(21 * figure.get_figwidth())
+    lines = [line for part in text.split("\n") for line in textwrap.wrap(part, a_line)]
+    figure.supxlabel("\n".join(lines), fontsize=6.5, color="0.35", x=0.01, ha="left")
 
 
 def columns_of(rows):

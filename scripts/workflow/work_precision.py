@@ -4,7 +4,7 @@ error of the model. A fourth shows the timings that the charts rest on; asked fo
 A fifth has the three in small.
 
 Runs give the errors, once (OUT/HASH, kept for the program of that git hash); the timing pass runs the commands again, one at a time, ten times each.
-Leaves OUT/work_precision.csv, the rows of data/expected/work_precision.csv.
+Leaves OUT/work_precision.csv, the rows of data/expected/work_precision.csv, and OUT/summary.md, the tables of docs/work_precision.md.
 """
 import os
 import re
@@ -16,6 +16,7 @@ import precision_continuum
 import precision_grains
 import precision_model
 import precision_points
+import precision_summary
 import precision_timings
 import workflow
 from precision_study import Study, read_rows, write_rows
@@ -72,6 +73,7 @@ def make(root, out, figures, jobs, dry_run, command):
         if rows_of:
             kept = [r for r in read_rows(table, as_written=True) if r["study"] not in studies] if table.is_file() else []
             write_rows(table, kept + rows_of(study))
+    (out / "summary.md").write_text(precision_summary.text(read_rows(table)))
     return draw(study, list(wanted), command)
 
 
