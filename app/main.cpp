@@ -16,6 +16,7 @@
 #include "app/exit_codes.hpp"
 #include "app/fit_noise_command.hpp"
 #include "app/patterns_command.hpp"
+#include "app/plan_command.hpp"
 #include "app/run_command.hpp"
 #include "app/swift_hohenberg_command.hpp"
 #include "continuum/names.hpp"
@@ -110,6 +111,25 @@ void add_fit_noise_options(CLI::App& command, FitNoiseOptions& options) {
     command.add_option("--seed", options.seed, "the first; default 1");
 }
 
+void add_plan_options(CLI::App& command, PlanOptions& options) {
+    command.add_option("SCENE", options.scene_file, "scene file (TOML)")->required();
+    auto* error = command.add_option("--error", options.error, "wished error of z_cm(ft), 1% or 0.01, of each engine");
+    auto* seconds = command
+                        .add_option("--seconds", options.seconds,
+                                    "wished processor time of both engines together, in place of an error")
+                        ->check(positive_seconds)
+                        ->excludes(error);
+    command.add_option("--set", options.overrides, "section.key=value, wins over the file; may be given again")
+        ->take_all()
+        ->allow_extra_args(false);
+    command.add_option("-o,--out", options.out, "scene file to write; default: NAME.plan.toml here");
+    command.add_flag("--overwrite", options.overwrite, "replace that file");
+    command.add_flag("--json", options.json, "one line of JSON");
+    command.callback([error, seconds] {
+        if (!*error && !*seconds) throw CLI::RequiredError("--error or --seconds");
+    });
+}
+
 /// What to say of a mistyped subcommand, of which CLI11 says nothing; empty if there is none.
 std::string unknown_command(const CLI::App& command, int argc, char** argv) {
     if (argc < 2 || argv[1][0] == '-') return "";
@@ -177,6 +197,9 @@ int dispatch(int argc, char** argv) {
     FitNoiseOptions fit_options;
     auto* fit_noise = command.add_subcommand("fit-noise", "noise and mean-field onset of a measured onset of patterns");
     add_fit_noise_options(*fit_noise, fit_options);
+    PlanOptions plan_options;
+    auto* plan = command.add_subcommand("plan", "propose grid, cycles and seeds of a scene for a wished error or time");
+    add_plan_options(*plan, plan_options);
     auto* scene_command = command.add_subcommand("scene", "print the resolved scene, or the list of all keys");
     bool list_keys = false;
     auto* scene_file = scene_command->add_option("SCENE", options.scene_file, "scene file (TOML)");
@@ -239,6 +262,7 @@ int dispatch(int argc, char** argv) {
     if (*patterns) code = run_patterns(patterns_options);
     if (*swift_hohenberg) code = run_swift_hohenberg(model_options);
     if (*fit_noise) code = run_fit_noise(fit_options);
+    if (*plan) code = run_plan(plan_options);
     if (*report) code = run_report(folder);
     if (*scene_command)
         fmt::print("{}", list_keys ? every_key()

@@ -12,7 +12,8 @@ MAY_INCLUDE = {
     "continuum": {"scene", "files", "fields"},
     "swift_hohenberg": {"scene"},
     "compare": {"scene", "files", "fields", "md", "continuum"},
-    "app": {"scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare"},
+    "plan": {"scene", "files", "fields", "md", "continuum", "compare"},
+    "app": {"scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare", "plan"},
 }
 
 

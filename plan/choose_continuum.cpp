@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "plan/choices.hpp"
+#include "plan/rules.hpp"
+#include "plan/table.hpp"
+
+namespace shaken::plan {
+
+namespace {
+
+constexpr double coarsest = 1.6;            // sigma; every level is half the one before
+constexpr double least_cells_in_layer = 5;  // as poured: with fewer there is no profile
+constexpr int most_levels = 8;
+constexpr double least_cells = 16;       // the solver's own limit
+constexpr double base_lid_error = 0.01;  // of the lid that all grids are tried under; errors of grid and lid are apart
+constexpr std::size_t record = 48;       // cycles of the column that settling is read from
+constexpr std::size_t whole_runs = 8;  // lengths of trials are multiples of this many cycles, so that they serve again
+constexpr std::array lids{20.0, 25.0, 32.0, 40.0, 50.0, 60.0, 80.0, 100.0, 125.0, 160.0, 200.0, 250.0, 320.0, 400.0};
+constexpr double bytes_a_cell_of_column = 188, bytes_a_cell = 220;  // bench/continuum.md
+constexpr double horizontal_error = 0.0014;                         // dx = 2 to 7 at figure 3.3, docs/numerics.md
+
+constexpr const char* no_grid =
+    "plan: the continuum fails on every grid tried; see what it says with: shaken continuum";
+
+double first_level(const scene::Scene& scene) {
+    double spacing = coarsest;
+    while (spacing > scene.depth / least_cells_in_layer) spacing *= 0.5;
+    return spacing;
+}
+
+/// The first level on which the method goes through.
+double first_running_level(Trials& trials, const std::string& scheme, double lid) {
+    double spacing = first_level(trials.scene());
+    for (int level = 0; level < most_levels; ++level, spacing *= 0.5)
+        if (trials.under_lid(scheme, spacing, lid)) return spacing;
+    throw CannotPlan(no_grid);
+}
+
+/// The lowest lid whose z_cm is within the error of the highest's, and that difference.
+std::pair<double, double> choose_lid(Trials& trials, const std::string& scheme, double spacing, double error) {
+    const std::optional<Profile> highest = trials.under_lid(scheme, spacing, lids.back());
+    const auto off = [&](std::size_t k) {
+        if (lids[k] < least_cells * spacing) return 1.0;
+        const std::optional<Profile> tried = trials.under_lid(scheme, spacing, lids[k]);
+        return tried ? difference(*tried, *highest) : 1.0;
+    };
+    std::size_t low = 0, high = lids.size() - 1;
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (off(middle) <= error)
+            high = middle;
+        else
+            low = middle + 1;
+    }
+    // Nothing is known above the highest but that the effect falls: by more than half from one lid to the next.
+    return {lids[high], high + 1 < lids.size() ? off(high) : 0.5 * off(high - 1)};
+}
+
+/// Measured on one grid: its error and its time and steps a cycle.
+struct Level {
+    double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0;
+    Profile profile{};
+};
+
+/// Grids each half as wide as the one before, until the error or the trials' time is reached; errors from the finest.
+std::vector<Level> measure_levels(Trials& trials, const ContinuumPlan& plan, double lid, double spacing, double error,
+                                  double order) {
+    const auto settle = static_cast<std::size_t>(plan.settle);
+    const std::size_t cycles = settle + static_cast<std::size_t>(plan.average);
+    const std::size_t run = (cycles + whole_runs - 1) / whole_runs * whole_runs;
+    const double gain = std::pow(2.0, order);
+    std::vector<Level> levels;
+    for (int k = 0; k < most_levels; ++k, spacing *= 0.5) {
+        const Column* column = trials.column(plan.scheme, spacing, lid, run, levels.size() < 2);
+        if (!column) {
+            if (levels.empty()) continue;
+            break;
+        }
+        levels.push_back(
+            {spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, mean(column->heights, settle, cycles)});
+        if (levels.size() < 2) continue;
+        Level& last = levels.back();
+        last.error = difference(levels[levels.size() - 2].profile, last.profile) / (gain - 1.0);
+        if (last.error <= 0.5 * error) break;
+    }
+    for (std::size_t k = 0; k + 1 < levels.size(); ++k)
+        levels[k].error = std::hypot(difference(levels[k].profile, levels.back().profile), levels.back().error);
+    return levels;
+}
+
+/// Between two levels by a power of the spacing, beyond the finest by the given one.
+double interpolate(const std::vector<Level>& levels, double spacing, double Level::*quantity, double order) {
+    if (levels.size() == 1 || spacing <= levels.back().spacing)
+        return levels.back().*quantity * std::pow(spacing / levels.back().spacing, order);
+    std::size_t k = 0;
+    while (k + 2 < levels.size() && levels[k + 1].spacing > spacing) ++k;
+    const double share = std::log(spacing / levels[k].spacing) / std::log(levels[k + 1].spacing / levels[k].spacing);
+    return levels[k].*quantity * std::pow(levels[k + 1].*quantity / (levels[k].*quantity), share);
+}
+
+double cells_along(double side, double spacing) { return std::max(1.0, std::round(side / spacing)); }
+
+/// Time and memory of the full grid; of one column they are the level's own.
+void put_cost(Trials& trials, ContinuumPlan& plan, double seconds_a_cycle, double steps_a_cycle) {
+    const scene::Scene& scene = trials.scene();
+    const double rows = std::round(plan.lid / plan.spacing);
+    const auto cycles = static_cast<double>(plan.settle + plan.average);
+    if (plan.dimension == 1) {
+        plan.seconds = seconds_a_cycle * cycles;
+        plan.bytes = bytes_a_cell_of_column * rows;
+        return;
+    }
+    double cells = rows;
+    if (plan.dimension == 3 || scene.box.x >= scene.box.y) cells *= cells_along(scene.box.x, plan.spacing_horizontal);
+    if (plan.dimension == 3 || scene.box.x < scene.box.y) cells *= cells_along(scene.box.y, plan.spacing_horizontal);
+    plan.seconds = trials.seconds_per_update(planned_scene(scene, plan)) * cells * steps_a_cycle * cycles;
+    plan.bytes = bytes_a_cell * cells;
+}
+
+}  // namespace
+
+double ContinuumPlan::error() const {
+    return std::sqrt(grid * grid + columns * columns + lid_error * lid_error + start * start + scatter * scatter);
+}
+
+scene::Scene planned_scene(const scene::Scene& given, const ContinuumPlan& plan) {
+    scene::Scene scene = given;
+    scene.continuum.dimension.name = fmt::format("{}", plan.dimension);
+    scene.continuum.scheme.name = plan.scheme;
+    scene.continuum.spacing = plan.spacing;
+    scene.continuum.lid = plan.lid;
+    if (plan.dimension > 1) scene.continuum.spacing_horizontal = plan.spacing_horizontal;
+    return scene;
+}
+
+ContinuumPlan choose_continuum(Trials& trials, double error) {
+    const Scheme& scheme = measured_table().cheapest(0.5 * error);
+    const scene::Scene& scene = trials.scene();
+    const double order = std::clamp(scheme.error.order, 1.0, 2.0);
+    ContinuumPlan plan;
+    plan.scheme = scheme.name;
+    plan.dimension = needed_dimension(scene);
+    const double highest = lids.back();
+    const double spacing = first_running_level(trials, plan.scheme, highest);
+    const double base = choose_lid(trials, plan.scheme, spacing, base_lid_error).first;
+    std::tie(plan.lid, plan.lid_error) = choose_lid(trials, plan.scheme, spacing, 0.5 * error);
+
+    const Column* long_one = trials.column(plan.scheme, spacing, base, record, true);
+    if (!long_one) throw CannotPlan(no_grid);
+    const double noise = spread(long_one->heights, record / 2).value;
+    const auto settle = settling_time(long_one->heights, std::max(0.3 * error, 2.0 * noise));
+    plan.settle = static_cast<std::int64_t>(std::max<std::size_t>(2, settle));
+    if (plan.dimension > 1) plan.settle = std::max(plan.settle, scene.sample.settle);
+    const double cycles = std::min(1000.0, std::ceil(std::pow(noise / (0.5 * error), 2)));
+    plan.average = std::max<std::int64_t>(2, 2 * std::llround(std::ceil(0.5 * cycles)));
+    plan.scatter = noise / std::sqrt(static_cast<double>(plan.average));
+    plan.start =
+        left_of_start(long_one->heights, static_cast<std::size_t>(plan.settle), static_cast<std::size_t>(plan.average));
+    if (plan.dimension > 1) {
+        const double longest = std::max(scene.box.x, scene.box.y);
+        plan.spacing_horizontal =
+            longest / std::ceil(longest / (pattern_wavelength(scene) / cells_a_wavelength) - 1e-9);
+        plan.columns = horizontal_error;
+    }
+
+    const std::vector<Level> levels = measure_levels(trials, plan, base, spacing, 0.5 * error, order);
+    for (int k = 0; k < 2 * most_levels; ++k) {
+        const double level = levels.front().spacing / std::pow(2.0, k / 2);
+        plan.spacing = k % 2 == 0 ? level : 0.75 * level;
+        plan.grid = std::max(scheme.least_error, interpolate(levels, plan.spacing, &Level::error, order));
+        if (plan.grid <= 0.5 * error && plan.spacing <= plan.lid / least_cells) break;
+    }
+    put_cost(trials, plan, plan.lid / base * interpolate(levels, plan.spacing, &Level::seconds, -2.0),
+             interpolate(levels, plan.spacing, &Level::steps, -1.0));
+    return plan;
+}
+
+}  // namespace shaken::plan

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+#include "plan/choices.hpp"
+#include "plan/rules.hpp"
+
+namespace shaken::plan {
+
+namespace {
+
+constexpr std::int64_t block_cycles = 10;  // the engines keep ten blocks of cycles for their standard errors
+constexpr double share_of_settling = 0.2;  // of a seed's cycles, at most, before another seed is worth its start
+constexpr double bytes_a_bin = 560;        // ten blocks of seven moments (fields/phase_moments.hpp)
+constexpr double largest_trial = 20000;    // particles
+
+/// By how much a standard error from blocks of so few cycles is too small, from 1,400 cycles of ch4_shock
+/// (docs/choosing.md).
+double short_block_factor(std::size_t block) { return block <= 2 ? 1.2 : block <= 4 ? 1.1 : 1.0; }
+
+}  // namespace
+
+double MdPlan::error() const { return std::hypot(statistics, start); }
+
+MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
+    const scene::Scene& given = trials.scene();
+    MdPlan plan;
+    plan.settle = continuum.settle;
+    plan.particles = given.number_of_particles;
+    plan.box_x = given.box.x;
+    plan.box_y = given.box.y;
+    if (continuum.dimension == 1) {
+        const FlatBox flat = flat_box(given);
+        if (flat.side > 0.0) {
+            plan.particles = flat.number;
+            plan.box_x = plan.box_y = flat.side;
+        }
+    }
+    scene::Scene trial = planned_scene(given, continuum);
+    const double share = std::min(1.0, largest_trial / static_cast<double>(plan.particles));
+    trial.number_of_particles = std::llround(share * static_cast<double>(plan.particles));
+    const double shrunk =
+        std::sqrt(static_cast<double>(trial.number_of_particles) / static_cast<double>(plan.particles));
+    trial.box.x = plan.box_x * shrunk;
+    trial.box.y = plan.box_y * shrunk;
+    const Grains& grains = trials.grains(trial, std::clamp<std::int64_t>(continuum.settle, 4, 20));
+
+    const Spread found = spread(grains.heights, static_cast<std::size_t>(grains.settled));
+    const double one_cycle = found.value * short_block_factor(found.block) * shrunk;
+    const double wanted = std::pow(one_cycle / (0.9 * error), 2);
+    const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
+    const double worth = std::floor(wanted * share_of_settling / static_cast<double>(plan.settle));
+    plan.seeds = static_cast<std::int64_t>(std::clamp(worth, 1.0, threads));
+    const double each = wanted / static_cast<double>(plan.seeds * block_cycles);
+    plan.average = block_cycles * static_cast<std::int64_t>(std::max(1.0, std::ceil(each)));
+    plan.statistics = one_cycle / std::sqrt(static_cast<double>(plan.average * plan.seeds));
+    plan.uncertainty = found.uncertainty;
+    plan.start = continuum.start * static_cast<double>(std::min(continuum.average, plan.average)) /
+                 static_cast<double>(plan.average);
+    plan.seconds = grains.seconds_per_cycle / (shrunk * shrunk) * static_cast<double>(plan.settle + plan.average) *
+                   static_cast<double>(plan.seeds);
+    const double bins = continuum.lid / given.sample.bin;
+    plan.bytes = grains.bytes_per_particle * static_cast<double>(plan.particles) +
+                 bytes_a_bin * bins * static_cast<double>(given.sample.phases);
+    return plan;
+}
+
+}  // namespace shaken::plan

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "plan/heights.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace shaken::plan {
+
+Profile mean(const Heights& heights, std::size_t first, std::size_t last) {
+    Profile sum{};
+    last = std::min(last, heights.size());
+    for (std::size_t c = first; c < last; ++c)
+        for (std::size_t p = 0; p < phases; ++p) sum[p] += heights[c][p];
+    for (double& value : sum) value /= static_cast<double>(last - first);
+    return sum;
+}
+
+double difference(const Profile& a, const Profile& b) {
+    double sum = 0.0;
+    for (std::size_t p = 0; p < phases; ++p) sum += (a[p] / b[p] - 1.0) * (a[p] / b[p] - 1.0);
+    return std::sqrt(sum / static_cast<double>(phases));
+}
+
+namespace {
+
+/// An even number of cycles, so that both halves of a layer of two periods count alike.
+Profile end_of(const Heights& heights) {
+    const std::size_t quarter = std::max<std::size_t>(2, heights.size() / 8 * 2);
+    return mean(heights, heights.size() - quarter, heights.size());
+}
+
+}  // namespace
+
+std::size_t settling_time(const Heights& heights, double tolerance) {
+    const Profile end = end_of(heights);
+    std::size_t settled = heights.size() / 4 * 3;
+    while (settled > 0 && difference(mean(heights, settled - 1, settled + 1), end) <= tolerance) --settled;
+    return settled;
+}
+
+double left_of_start(const Heights& heights, std::size_t settle, std::size_t cycles) {
+    const std::size_t whole = heights.size();
+    const std::size_t first = std::min(settle, whole - 2),
+                      last = std::min(first + std::max<std::size_t>(2, cycles), whole);
+    const double counted = static_cast<double>(last - first) / static_cast<double>(std::max(cycles, last - first));
+    return counted * difference(mean(heights, first, last), end_of(heights));
+}
+
+Spread spread(const Heights& heights, std::size_t first) {
+    const std::size_t cycles = heights.size() - std::min(first, heights.size());
+    if (cycles < 4) return {};
+    Spread found;
+    found.block = std::max<std::size_t>(2, cycles / 16 * 2);
+    found.blocks = cycles / found.block;
+    first = heights.size() - found.blocks * found.block;
+    const Profile all = mean(heights, first, heights.size());
+    double sum = 0.0;
+    for (std::size_t b = 0; b < found.blocks; ++b) {
+        const double d = difference(mean(heights, first + b * found.block, first + (b + 1) * found.block), all);
+        sum += d * d;
+    }
+    const double freedom = static_cast<double>(found.blocks - 1);
+    found.value = std::sqrt(sum / freedom * static_cast<double>(found.block));
+    found.uncertainty = 1.0 / std::sqrt(2.0 * freedom);
+    return found;
+}
+
+}  // namespace shaken::plan

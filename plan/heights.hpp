@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: MIT
+// z_cm(ft) from cycle to cycle, and its statistics. Lab frame, sigma; errors are shares of z_cm, rms over the phases.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace shaken::plan {
+
+inline constexpr std::size_t phases = 20;
+
+/// z_cm at twenty equal phases.
+using Profile = std::array<double, phases>;
+
+using Heights = std::vector<Profile>;  // one a cycle, from the start
+
+/// Of cycles [first, last).
+Profile mean(const Heights& heights, std::size_t first, std::size_t last);
+
+/// Root mean square over the phases of a/b - 1.
+double difference(const Profile& a, const Profile& b);
+
+/// Cycles after which every pair of cycles lies within `tolerance` of the mean of the last quarter of the record.
+/// Pairs, because a layer may come back after two cycles only. Never more than three quarters of the record.
+std::size_t settling_time(const Heights& heights, double tolerance);
+
+/// What is left of the start in a mean over `cycles` after `settle` cycles: its distance from the last quarter.
+double left_of_start(const Heights& heights, std::size_t settle, std::size_t cycles);
+
+/// Standard error of a mean over one cycle, were cycles independent: multiply by 1/sqrt(cycles).
+struct Spread {
+    double value = 0.0;
+    double uncertainty = 0.0;  // relative, of value
+    std::size_t blocks = 0, block = 0;
+};
+
+/// From means over blocks of an even number of cycles, at least six blocks where there are that many: correlations
+/// up to a block's length are in it. Cycles before `first` are left out.
+Spread spread(const Heights& heights, std::size_t first);
+
+}  // namespace shaken::plan

@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: MIT
+#include "plan/table.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <map>
+#include <stdexcept>
+
+#include "plan/work_precision.hpp"
+
+namespace shaken::plan {
+
+namespace {
+
+/// Fields of one line; quoted ones may hold commas and doubled quotes.
+std::vector<std::string> fields_of(std::string_view line) {
+    std::vector<std::string> fields(1);
+    bool quoted = false;
+    for (const char c : line) {
+        if (c == '"')
+            quoted = !quoted;
+        else if (c == ',' && !quoted)
+            fields.emplace_back();
+        else
+            fields.back() += c;
+    }
+    return fields;
+}
+
+PowerLaw fit(const std::vector<std::pair<double, double>>& points) {
+    const auto n = static_cast<double>(points.size());
+    double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
+    for (const auto& [a, b] : points) {
+        x += std::log(a);
+        y += std::log(b);
+        xx += std::log(a) * std::log(a);
+        xy += std::log(a) * std::log(b);
+    }
+    PowerLaw law;
+    law.order = (n * xy - x * y) / (n * xx - x * x);
+    law.factor = std::exp((y - law.order * x) / n);
+    double square = 0.0;
+    for (const auto& [a, b] : points) square += std::pow(std::log(b / (law.factor * std::pow(a, law.order))), 2);
+    law.residual = std::sqrt(square / n);
+    return law;
+}
+
+}  // namespace
+
+std::vector<Row> parse_table(std::string_view csv) {
+    std::vector<Row> rows;
+    std::map<std::string, std::size_t> columns;
+    while (!csv.empty()) {
+        const std::string_view line = csv.substr(0, csv.find('\n'));
+        csv.remove_prefix(std::min(csv.size(), line.size() + 1));
+        if (line.empty() || line.front() == '#') continue;
+        const std::vector<std::string> fields = fields_of(line);
+        if (columns.empty()) {
+            for (std::size_t i = 0; i < fields.size(); ++i) columns[fields[i]] = i;
+            continue;
+        }
+        const auto text = [&](const char* name) -> const std::string& {
+            const auto found = columns.find(name);
+            if (found == columns.end() || found->second >= fields.size())
+                throw std::runtime_error(fmt::format("work_precision.csv: no column {} in '{}'", name, line));
+            return fields[found->second];
+        };
+        const auto number = [&](const char* name) { return std::strtod(text(name).c_str(), nullptr); };
+        rows.push_back({text("study"), text("engine"), text("scheme"), text("knob"), text("quantity"), text("end"),
+                        number("value"), 0.01 * number("error_percent"), number("cpu_seconds")});
+    }
+    return rows;
+}
+
+double Scheme::seconds_for(double wished) const {
+    return cost.factor * std::pow(std::pow(wished / error.factor, 1.0 / error.order), cost.order);
+}
+
+Table::Table(const std::vector<Row>& rows) {
+    std::map<std::string, std::vector<std::pair<double, double>>> errors, costs;
+    std::map<std::string, double> least;
+    for (const Row& row : rows) {
+        if (row.study != "ch4_shock" || row.engine != "continuum" || row.knob != "spacing" || row.quantity != "z_cm")
+            continue;
+        if (!(row.error > 0.0 && row.value > 0.0 && row.cpu_seconds > 0.0)) continue;
+        errors[row.scheme].emplace_back(row.value, row.error);
+        costs[row.scheme].emplace_back(row.value, row.cpu_seconds);
+        const auto found = least.emplace(row.scheme, row.error).first;
+        found->second = std::min(found->second, row.error);
+    }
+    for (const auto& [name, points] : errors) {
+        if (points.size() < 3) continue;
+        const Scheme scheme{name, fit(points), fit(costs[name]), least[name]};
+        // A scheme whose error does not fall with the spacing has nothing to choose.
+        if (scheme.error.order > 0.3) schemes_.push_back(scheme);
+    }
+    if (schemes_.empty()) throw std::runtime_error("work_precision.csv: no errors of z_cm against the spacing");
+}
+
+const Scheme& Table::cheapest(double error) const {
+    const Scheme* best = nullptr;
+    for (const Scheme& scheme : schemes_) {
+        if (scheme.least_error > error) continue;
+        if (!best || scheme.seconds_for(error) < best->seconds_for(error)) best = &scheme;
+    }
+    if (best) return *best;
+    return *std::min_element(schemes_.begin(), schemes_.end(),
+                             [](const Scheme& a, const Scheme& b) { return a.least_error < b.least_error; });
+}
+
+double Table::floor() const {
+    double least = schemes_.front().least_error;
+    for (const Scheme& scheme : schemes_) least = std::min(least, scheme.least_error);
+    return least;
+}
+
+const Table& measured_table() {
+    static const Table table(parse_table(work_precision_csv));
+    return table;
+}
+
+}  // namespace shaken::plan

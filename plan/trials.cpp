@@ -1,0 +1,165 @@
+// SPDX-License-Identifier: MIT
+#include "plan/trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <ctime>
+
+#include "compare/continuum_sampler.hpp"
+#include "compare/md_sampler.hpp"
+#include "continuum/errors.hpp"
+#include "continuum/solver.hpp"
+#include "md/simulation.hpp"
+
+namespace shaken::plan {
+
+double cpu_seconds() {
+    timespec now{};
+    clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &now);
+    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
+}
+
+namespace {
+
+constexpr std::int64_t most_md_cycles = 96, least_md_cycles = 8;
+constexpr std::int64_t patch_columns = 8;
+constexpr double patch_seconds = 0.5;
+constexpr std::size_t lid_cycles = 40;
+
+scene::Scene sampled_from_start(scene::Scene scene, std::int64_t cycles) {
+    scene.sample.settle = 0;
+    scene.sample.average = cycles;
+    scene.sample.frames = 0;
+    scene.sample.map_bin = 0.0;
+    return scene;
+}
+
+/// Every cycle of what a sampler holds, at twenty phases.
+template <class Sampler>
+Heights heights_of(const Sampler& sampler, std::int64_t phases_kept, std::size_t cycles) {
+    const std::vector<double>& all = sampler.moments().centre_of_mass();
+    const auto step = static_cast<std::size_t>(phases_kept) / phases;
+    Heights heights(cycles);
+    for (std::size_t c = 0; c < cycles; ++c)
+        for (std::size_t p = 0; p < phases; ++p)
+            heights[c][p] = all[c * static_cast<std::size_t>(phases_kept) + p * step];
+    return heights;
+}
+
+scene::Scene one_column(const scene::Scene& given, const std::string& scheme, double spacing, double lid,
+                        std::size_t cycles) {
+    scene::Scene scene = sampled_from_start(given, static_cast<std::int64_t>(cycles));
+    scene.continuum.dimension.name = "1";
+    scene.continuum.scheme.name = scheme;
+    scene.continuum.spacing = spacing;
+    scene.continuum.lid = lid;
+    scene.initial.noise = scene.initial.wave = 0.0;
+    return scene;
+}
+
+Column run_column(const scene::Scene& scene) {
+    continuum::Solver solver(scene);
+    compare::ContinuumSampler sampler(scene);
+    const double begin = cpu_seconds();
+    for (std::int64_t cycle = 0; cycle < scene.sample.average; ++cycle)
+        for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
+            solver.advance_to_phase(cycle, phase);
+            sampler.sample(solver, cycle, phase);
+        }
+    const auto cycles = static_cast<double>(scene.sample.average);
+    return {heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(scene.sample.average)),
+            (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles, solver.cells_z()};
+}
+
+}  // namespace
+
+const Column* Trials::column(const std::string& scheme, double spacing, double lid, std::size_t cycles, bool needed) {
+    const auto key = std::make_tuple(scheme, spacing, lid);
+    const auto found = columns_.find(key);
+    if (found != columns_.end() && (!found->second || found->second->heights.size() >= cycles))
+        return found->second ? &*found->second : nullptr;
+    // From the nearest coarser one: cells and steps both grow with 1/spacing.
+    double expected = 0.0;
+    for (const auto& [other, column] : columns_) {
+        const auto& [name, coarser, height] = other;
+        if (name != scheme || !column || coarser < spacing || expected > 0.0) continue;
+        expected =
+            column->seconds_per_cycle * std::pow(coarser / spacing, 2) * (lid / height) * static_cast<double>(cycles);
+    }
+    if (!needed && spent_columns_ + expected > budget_) return nullptr;
+    const double begin = cpu_seconds();
+    std::optional<Column> column;
+    try {
+        column = run_column(one_column(scene_, scheme, spacing, lid, cycles));
+    } catch (const continuum::RunFailed&) {
+        column.reset();
+    }
+    if (!needed) spent_columns_ += cpu_seconds() - begin;
+    auto& kept = columns_[key] = std::move(column);
+    return kept ? &*kept : nullptr;
+}
+
+std::optional<Profile> Trials::under_lid(const std::string& scheme, double spacing, double lid) {
+    const auto key = std::make_tuple(scheme, spacing, lid);
+    const auto found = lids_.find(key);
+    if (found != lids_.end()) return found->second;
+    scene::Scene scene = one_column(scene_, scheme, spacing, lid, lid_cycles);
+    scene.sample.phases = static_cast<std::int64_t>(phases);
+    std::optional<Profile> profile;
+    try {
+        profile = mean(run_column(scene).heights, lid_cycles / 2, lid_cycles);
+    } catch (const continuum::RunFailed&) {
+        profile.reset();
+    }
+    return lids_[key] = profile;
+}
+
+const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {
+    if (grains_) return *grains_;
+    const scene::Scene scene = sampled_from_start(planned, settle + most_md_cycles);
+    md::Simulation simulation(scene);
+    compare::MdSampler sampler(scene);
+    const double period = scene.motion.period();
+    const double start = cpu_seconds();
+    Grains grains;
+    std::int64_t cycle = 0;
+    for (; cycle < settle + most_md_cycles; ++cycle) {
+        if (cycle >= settle + least_md_cycles && cpu_seconds() - start > budget_) break;
+        for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
+            simulation.advance_to(cycle,
+                                  period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
+            sampler.sample(simulation.snapshot(), cycle, phase);
+        }
+    }
+    grains.heights = heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(cycle));
+    grains.settled = settle;
+    grains.seconds_per_cycle = (cpu_seconds() - start) / static_cast<double>(cycle);
+    grains.particles = simulation.particles();
+    const auto number = static_cast<double>(grains.particles);
+    grains.bytes_per_particle = static_cast<double>(simulation.memory()) / number;
+    grains.ceiling_contacts =
+        static_cast<double>(simulation.counters().ceiling_collisions) / number / static_cast<double>(cycle);
+    return *(grains_ = std::move(grains));
+}
+
+double Trials::seconds_per_update(const scene::Scene& planned) {
+    const int dimension = planned.continuum.dimension.name == "2" ? 2 : 3;
+    const auto known = updates_.find(dimension);
+    if (known != updates_.end()) return known->second;
+    scene::Scene scene = sampled_from_start(planned, 1);
+    const double widest = static_cast<double>(patch_columns) * scene.continuum.spacing_horizontal;
+    const double area = scene.box.x * scene.box.y;
+    scene.box.x = std::min(scene.box.x, widest);
+    scene.box.y = std::min(scene.box.y, widest);
+    scene.number_of_particles = std::max<std::int64_t>(
+        1, std::llround(static_cast<double>(scene.number_of_particles) * scene.box.x * scene.box.y / area));
+    continuum::Solver solver(scene);
+    const double start = cpu_seconds();
+    for (std::int64_t phase = 1; phase < scene.sample.phases && cpu_seconds() - start < patch_seconds; ++phase)
+        solver.advance_to_phase(0, phase);
+    const auto cells = static_cast<double>(solver.cells_x() * solver.cells_y() * solver.cells_z());
+    const double seconds = (cpu_seconds() - start) / (cells * static_cast<double>(solver.steps()));
+    return updates_[dimension] = seconds;
+}
+
+}  // namespace shaken::plan

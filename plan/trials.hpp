@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: MIT
+// Short runs of a scene on this machine: columns of the continuum, one MD, and a patch of the continuum's full grid.
+// Times are CPU seconds of this process, with what a run of the command samples.
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+
+#include "plan/heights.hpp"
+#include "scene/scene.hpp"
+
+namespace shaken::plan {
+
+/// CPU seconds of this process.
+double cpu_seconds();
+
+/// The continuum's one column.
+struct Column {
+    Heights heights;
+    double seconds_per_cycle = 0.0, steps_per_cycle = 0.0;
+    std::int64_t cells = 0;
+};
+
+/// The MD in the cell of the scene that it was given.
+struct Grains {
+    Heights heights;
+    std::int64_t settled = 0;  // cycles left out of the spread
+    double seconds_per_cycle = 0.0;
+    std::int64_t particles = 0;
+    double bytes_per_particle = 0.0;
+    double ceiling_contacts = 0.0;  // of each particle in a cycle
+};
+
+class Trials {
+  public:
+    /// budget: CPU seconds for the MD, and for the columns that are not needed.
+    Trials(const scene::Scene& scene, double budget) : scene_(scene), budget_(budget) {}
+
+    /// A run of at least so many cycles; nothing where the method fails on this grid, or, unless needed, the budget is
+    /// used up.
+    const Column* column(const std::string& scheme, double spacing, double lid, std::size_t cycles, bool needed);
+    /// z_cm under a lid late in such a run, at twenty samples a cycle, for comparison with other lids.
+    std::optional<Profile> under_lid(const std::string& scheme, double spacing, double lid);
+    /// Of the planned scene: its particles and cell; settle cycles, then up to 96, at least 8.
+    const Grains& grains(const scene::Scene& planned, std::int64_t settle);
+    /// CPU seconds to take one cell of the planned grid through one step, from a patch of at most 8 x 8 columns.
+    double seconds_per_update(const scene::Scene& planned);
+
+    double spent() const { return cpu_seconds() - begun_; }
+    const scene::Scene& scene() const { return scene_; }
+
+  private:
+    scene::Scene scene_;
+    double budget_;
+    double begun_ = cpu_seconds();
+    double spent_columns_ = 0.0;
+    std::map<std::tuple<std::string, double, double>, std::optional<Column>> columns_;
+    std::map<std::tuple<std::string, double, double>, std::optional<Profile>> lids_;
+    std::optional<Grains> grains_;
+    std::map<int, double> updates_;
+};
+
+}  // namespace shaken::plan
