@@ -13,6 +13,8 @@ namespace shaken::plan {
 
 namespace {
 
+// Parts of one error that may have one sign.
+constexpr double share_of_grid = 0.4, share_of_lid = 0.35, share_of_start = 0.25;
 constexpr double coarsest = 1.6;            // sigma; every level is half the one before
 constexpr double least_cells_in_layer = 5;  // as poured: with fewer there is no profile
 constexpr int most_levels = 8;
@@ -41,30 +43,37 @@ double first_running_level(Trials& trials, const std::string& scheme, double lid
     throw CannotPlan(no_grid);
 }
 
-/// The lowest lid whose z_cm is within the error of the highest's, and that difference.
-std::pair<double, double> choose_lid(Trials& trials, const std::string& scheme, double spacing, double error) {
-    const std::optional<Profile> highest = trials.under_lid(scheme, spacing, lids.back());
-    const auto off = [&](std::size_t k) {
-        if (lids[k] < least_cells * spacing) return 1.0;
-        const std::optional<Profile> tried = trials.under_lid(scheme, spacing, lids[k]);
-        return tried ? difference(*tried, *highest) : 1.0;
+Profile late(const Heights& heights) { return mean(heights, heights.size() / 2, heights.size()); }
+
+/// The lowest lid whose z_cm is within the error of the highest's, and its deviation from that.
+std::pair<double, Profile> choose_lid(Trials& trials, const std::string& scheme, double spacing, double error) {
+    const Profile highest = late(*trials.under_lid(scheme, spacing, lids.back()));
+    const auto off = [&](std::size_t k) -> std::optional<Profile> {
+        if (lids[k] < least_cells * spacing) return std::nullopt;
+        const Heights* tried = trials.under_lid(scheme, spacing, lids[k]);
+        return tried ? std::optional(deviation(late(*tried), highest)) : std::nullopt;
     };
     std::size_t low = 0, high = lids.size() - 1;
     while (low < high) {
         const std::size_t middle = (low + high) / 2;
-        if (off(middle) <= error)
+        const std::optional<Profile> found = off(middle);
+        if (found && root_mean_square(*found) <= error)
             high = middle;
         else
             low = middle + 1;
     }
-    // Nothing is known above the highest but that the effect falls: by more than half from one lid to the next.
-    return {lids[high], high + 1 < lids.size() ? off(high) : 0.5 * off(high - 1)};
+    return {lids[high], off(high).value_or(Profile{})};
+}
+
+Profile sum_of(Profile a, const Profile& b) {
+    for (std::size_t p = 0; p < phases; ++p) a[p] += b[p];
+    return a;
 }
 
 /// Measured on one grid: its error and its time and steps a cycle.
 struct Level {
     double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0;
-    Profile profile{};
+    Profile profile{}, deviation{};
 };
 
 /// Grids each half as wide as the one before, until the error or the trials' time is reached; errors from the finest.
@@ -85,12 +94,27 @@ std::vector<Level> measure_levels(Trials& trials, const ContinuumPlan& plan, dou
             {spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, mean(column->heights, settle, cycles)});
         if (levels.size() < 2) continue;
         Level& last = levels.back();
-        last.error = difference(levels[levels.size() - 2].profile, last.profile) / (gain - 1.0);
+        last.deviation = deviation(levels[levels.size() - 2].profile, last.profile);
+        for (double& d : last.deviation) d /= gain - 1.0;
+        last.error = root_mean_square(last.deviation);
         if (last.error <= 0.5 * error) break;
     }
-    for (std::size_t k = 0; k + 1 < levels.size(); ++k)
-        levels[k].error = std::hypot(difference(levels[k].profile, levels.back().profile), levels.back().error);
+    for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
+        levels[k].deviation = sum_of(deviation(levels[k].profile, levels.back().profile), levels.back().deviation);
+        levels[k].error = root_mean_square(levels[k].deviation);
+    }
     return levels;
+}
+
+/// That of the nearest level, scaled to an error.
+Profile deviation_at(const std::vector<Level>& levels, double spacing, double error) {
+    const auto nearer = [&](const Level& a, const Level& b) {
+        return std::abs(std::log(a.spacing / spacing)) < std::abs(std::log(b.spacing / spacing));
+    };
+    const Level& nearest = *std::min_element(levels.begin(), levels.end(), nearer);
+    Profile scaled = nearest.deviation;
+    for (double& d : scaled) d *= nearest.error > 0.0 ? error / nearest.error : 0.0;
+    return scaled;
 }
 
 /// Between two levels by a power of the spacing, beyond the finest by the given one.
@@ -125,7 +149,8 @@ void put_cost(Trials& trials, ContinuumPlan& plan, double seconds_a_cycle, doubl
 }  // namespace
 
 double ContinuumPlan::error() const {
-    return std::sqrt(grid * grid + columns * columns + lid_error * lid_error + start * start + scatter * scatter);
+    const double signed_parts = root_mean_square(together);
+    return std::sqrt(signed_parts * signed_parts + columns * columns + scatter * scatter + floor * floor);
 }
 
 scene::Scene planned_scene(const scene::Scene& given, const ContinuumPlan& plan) {
@@ -148,19 +173,21 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
     const double highest = lids.back();
     const double spacing = first_running_level(trials, plan.scheme, highest);
     const double base = choose_lid(trials, plan.scheme, spacing, base_lid_error).first;
-    std::tie(plan.lid, plan.lid_error) = choose_lid(trials, plan.scheme, spacing, 0.5 * error);
+    const auto [lid, off_lid] = choose_lid(trials, plan.scheme, spacing, share_of_lid * error);
+    plan.lid = lid;
+    plan.lid_error = root_mean_square(off_lid);
 
-    const Column* long_one = trials.column(plan.scheme, spacing, base, record, true);
-    if (!long_one) throw CannotPlan(no_grid);
-    const double noise = spread(long_one->heights, record / 2).value;
-    const auto settle = settling_time(long_one->heights, std::max(0.3 * error, 2.0 * noise));
+    const Heights& long_run = *trials.under_lid(plan.scheme, spacing, plan.lid);
+    const double noise = spread(long_run, long_run.size() / 2).value;
+    const auto settle = settling_time(long_run, std::max(share_of_start * error, 2.0 * noise));
     plan.settle = static_cast<std::int64_t>(std::max<std::size_t>(2, settle));
     if (plan.dimension > 1) plan.settle = std::max(plan.settle, scene.sample.settle);
     const double cycles = std::min(1000.0, std::ceil(std::pow(noise / (0.5 * error), 2)));
     plan.average = std::max<std::int64_t>(2, 2 * std::llround(std::ceil(0.5 * cycles)));
     plan.scatter = noise / std::sqrt(static_cast<double>(plan.average));
-    plan.start =
-        left_of_start(long_one->heights, static_cast<std::size_t>(plan.settle), static_cast<std::size_t>(plan.average));
+    const Profile off_start =
+        left_of_start(long_run, static_cast<std::size_t>(plan.settle), static_cast<std::size_t>(plan.average));
+    plan.start = root_mean_square(off_start);
     if (plan.dimension > 1) {
         const double longest = std::max(scene.box.x, scene.box.y);
         plan.spacing_horizontal =
@@ -168,13 +195,15 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
         plan.columns = horizontal_error;
     }
 
-    const std::vector<Level> levels = measure_levels(trials, plan, base, spacing, 0.5 * error, order);
+    const std::vector<Level> levels = measure_levels(trials, plan, base, spacing, share_of_grid * error, order);
     for (int k = 0; k < 2 * most_levels; ++k) {
         const double level = levels.front().spacing / std::pow(2.0, k / 2);
         plan.spacing = k % 2 == 0 ? level : 0.75 * level;
-        plan.grid = std::max(scheme.least_error, interpolate(levels, plan.spacing, &Level::error, order));
-        if (plan.grid <= 0.5 * error && plan.spacing <= plan.lid / least_cells) break;
+        plan.grid = interpolate(levels, plan.spacing, &Level::error, order);
+        if (plan.grid <= share_of_grid * error && plan.spacing <= plan.lid / least_cells) break;
     }
+    plan.floor = scheme.least_error;
+    plan.together = sum_of(sum_of(deviation_at(levels, plan.spacing, plan.grid), off_lid), off_start);
     put_cost(trials, plan, plan.lid / base * interpolate(levels, plan.spacing, &Level::seconds, -2.0),
              interpolate(levels, plan.spacing, &Level::steps, -1.0));
     return plan;

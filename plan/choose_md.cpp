@@ -15,10 +15,6 @@ constexpr double share_of_settling = 0.2;  // of a seed's cycles, at most, befor
 constexpr double bytes_a_bin = 560;        // ten blocks of seven moments (fields/phase_moments.hpp)
 constexpr double largest_trial = 20000;    // particles
 
-/// By how much a standard error from blocks of so few cycles is too small, from 1,400 cycles of ch4_shock
-/// (docs/choosing.md).
-double short_block_factor(std::size_t block) { return block <= 2 ? 1.2 : block <= 4 ? 1.1 : 1.0; }
-
 }  // namespace
 
 double MdPlan::error() const { return std::hypot(statistics, start); }
@@ -47,7 +43,7 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     const Grains& grains = trials.grains(trial, std::clamp<std::int64_t>(continuum.settle, 4, 20));
 
     const Spread found = spread(grains.heights, static_cast<std::size_t>(grains.settled));
-    const double one_cycle = found.value * short_block_factor(found.block) * shrunk;
+    const double one_cycle = found.value * shrunk;
     const double wanted = std::pow(one_cycle / (0.9 * error), 2);
     const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
     const double worth = std::floor(wanted * share_of_settling / static_cast<double>(plan.settle));

@@ -15,11 +15,19 @@ Profile mean(const Heights& heights, std::size_t first, std::size_t last) {
     return sum;
 }
 
-double difference(const Profile& a, const Profile& b) {
+Profile deviation(const Profile& a, const Profile& b) {
+    Profile found;
+    for (std::size_t p = 0; p < phases; ++p) found[p] = a[p] / b[p] - 1.0;
+    return found;
+}
+
+double root_mean_square(const Profile& deviation) {
     double sum = 0.0;
-    for (std::size_t p = 0; p < phases; ++p) sum += (a[p] / b[p] - 1.0) * (a[p] / b[p] - 1.0);
+    for (const double d : deviation) sum += d * d;
     return std::sqrt(sum / static_cast<double>(phases));
 }
+
+double difference(const Profile& a, const Profile& b) { return root_mean_square(deviation(a, b)); }
 
 namespace {
 
@@ -38,12 +46,13 @@ std::size_t settling_time(const Heights& heights, double tolerance) {
     return settled;
 }
 
-double left_of_start(const Heights& heights, std::size_t settle, std::size_t cycles) {
-    const std::size_t whole = heights.size();
-    const std::size_t first = std::min(settle, whole - 2),
-                      last = std::min(first + std::max<std::size_t>(2, cycles), whole);
+Profile left_of_start(const Heights& heights, std::size_t settle, std::size_t cycles) {
+    const std::size_t whole = heights.size(), first = std::min(settle, whole - 2);
+    const std::size_t last = std::min(first + std::max<std::size_t>(2, cycles), whole);
     const double counted = static_cast<double>(last - first) / static_cast<double>(std::max(cycles, last - first));
-    return counted * difference(mean(heights, first, last), end_of(heights));
+    Profile left = deviation(mean(heights, first, last), end_of(heights));
+    for (double& d : left) d *= counted;
+    return left;
 }
 
 Spread spread(const Heights& heights, std::size_t first) {

@@ -18,6 +18,11 @@ using Heights = std::vector<Profile>;  // one a cycle, from the start
 /// Of cycles [first, last).
 Profile mean(const Heights& heights, std::size_t first, std::size_t last);
 
+/// a/b - 1 at each phase.
+Profile deviation(const Profile& a, const Profile& b);
+
+double root_mean_square(const Profile& deviation);
+
 /// Root mean square over the phases of a/b - 1.
 double difference(const Profile& a, const Profile& b);
 
@@ -25,8 +30,8 @@ double difference(const Profile& a, const Profile& b);
 /// Pairs, because a layer may come back after two cycles only. Never more than three quarters of the record.
 std::size_t settling_time(const Heights& heights, double tolerance);
 
-/// What is left of the start in a mean over `cycles` after `settle` cycles: its distance from the last quarter.
-double left_of_start(const Heights& heights, std::size_t settle, std::size_t cycles);
+/// What is left of the start in a mean over `cycles` after `settle` cycles: its deviation from the last quarter.
+Profile left_of_start(const Heights& heights, std::size_t settle, std::size_t cycles);
 
 /// Standard error of a mean over one cycle, were cycles independent: multiply by 1/sqrt(cycles).
 struct Spread {

@@ -15,10 +15,10 @@ namespace shaken::plan {
 
 namespace {
 
-constexpr double trial_budget = 6.0;        // CPU seconds an engine
-constexpr double budget_share = 1.0 / 6.0;  // of a wished time, an engine
-constexpr double largest_error = 0.2;       // a plan for --seconds never aims at more
-constexpr double error_step = 0.891;        // ten a factor of root ten
+constexpr double trial_budget = 6.0;   // CPU seconds an engine
+constexpr double budget_share = 0.2;   // of a wished time, an engine
+constexpr double largest_error = 0.2;  // a plan for --seconds never aims at more
+constexpr double error_step = 0.891;   // ten a factor of root ten
 
 struct Both {
     ContinuumPlan continuum;

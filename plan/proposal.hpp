@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A plan: what both engines should be told for a wished error or time, what it costs here, and which error is from
-// what. Errors are shares of z_cm, rms over twenty phases; parts of one error add in quadrature.
+// what. Errors are shares of z_cm, rms over twenty phases.
 #pragma once
 
 #include <cstdint>
@@ -24,6 +24,8 @@ struct ContinuumPlan {
     double lid_error = 0.0;
     double start = 0.0;    // what is left of the initial state
     double scatter = 0.0;  // where the flow does not come back after two cycles
+    double floor = 0.0;    // least error of the scheme in the measured table
+    Profile together{};    // grid, lid and start with their signs: parts may cancel
     double error() const;
 };
 

@@ -21,10 +21,10 @@ double cpu_seconds() {
 
 namespace {
 
-constexpr std::int64_t most_md_cycles = 96, least_md_cycles = 8;
+constexpr std::int64_t most_md_cycles = 96, least_md_cycles = 16;
 constexpr std::int64_t patch_columns = 8;
 constexpr double patch_seconds = 0.5;
-constexpr std::size_t lid_cycles = 40;
+constexpr std::size_t lid_cycles = 48;
 
 scene::Scene sampled_from_start(scene::Scene scene, std::int64_t cycles) {
     scene.sample.settle = 0;
@@ -99,19 +99,20 @@ const Column* Trials::column(const std::string& scheme, double spacing, double l
     return kept ? &*kept : nullptr;
 }
 
-std::optional<Profile> Trials::under_lid(const std::string& scheme, double spacing, double lid) {
+const Heights* Trials::under_lid(const std::string& scheme, double spacing, double lid) {
     const auto key = std::make_tuple(scheme, spacing, lid);
     const auto found = lids_.find(key);
-    if (found != lids_.end()) return found->second;
+    if (found != lids_.end()) return found->second ? &*found->second : nullptr;
     scene::Scene scene = one_column(scene_, scheme, spacing, lid, lid_cycles);
     scene.sample.phases = static_cast<std::int64_t>(phases);
-    std::optional<Profile> profile;
+    std::optional<Heights> heights;
     try {
-        profile = mean(run_column(scene).heights, lid_cycles / 2, lid_cycles);
+        heights = run_column(scene).heights;
     } catch (const continuum::RunFailed&) {
-        profile.reset();
+        heights.reset();
     }
-    return lids_[key] = profile;
+    auto& kept = lids_[key] = std::move(heights);
+    return kept ? &*kept : nullptr;
 }
 
 const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {

@@ -42,9 +42,9 @@ class Trials {
     /// A run of at least so many cycles; nothing where the method fails on this grid, or, unless needed, the budget is
     /// used up.
     const Column* column(const std::string& scheme, double spacing, double lid, std::size_t cycles, bool needed);
-    /// z_cm under a lid late in such a run, at twenty samples a cycle, for comparison with other lids.
-    std::optional<Profile> under_lid(const std::string& scheme, double spacing, double lid);
-    /// Of the planned scene: its particles and cell; settle cycles, then up to 96, at least 8.
+    /// z_cm of a run of 48 cycles at twenty samples a cycle, for comparison with other lids and for the settling time.
+    const Heights* under_lid(const std::string& scheme, double spacing, double lid);
+    /// Of the planned scene: its particles and cell; settle cycles, then up to 96, at least 16.
     const Grains& grains(const scene::Scene& planned, std::int64_t settle);
     /// CPU seconds to take one cell of the planned grid through one step, from a patch of at most 8 x 8 columns.
     double seconds_per_update(const scene::Scene& planned);
@@ -58,7 +58,7 @@ class Trials {
     double begun_ = cpu_seconds();
     double spent_columns_ = 0.0;
     std::map<std::tuple<std::string, double, double>, std::optional<Column>> columns_;
-    std::map<std::tuple<std::string, double, double>, std::optional<Profile>> lids_;
+    std::map<std::tuple<std::string, double, double>, std::optional<Heights>> lids_;
     std::optional<Grains> grains_;
     std::map<int, double> updates_;
 };
