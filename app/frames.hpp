@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Which sample instants are kept as whole frames: equal phases of the last cycle, for pictures and other programs.
+// Which sample instants are kept as whole frames: equal phases of the last cycle or cycles, for pictures and other
+// programs.
 #pragma once
 
 #include <cstdint>
@@ -25,7 +26,8 @@ inline Instant instant_of(std::int64_t sample, const scene::Scene& scene) {
 }
 
 inline bool is_frame(const Instant& instant, const scene::Scene& scene) {
-    return scene.sample.frames > 0 && instant.cycle == scene.sample.settle + scene.sample.average - 1 &&
+    return scene.sample.frames > 0 &&
+           instant.cycle >= scene.sample.settle + scene.sample.average - scene.sample.frame_cycles &&
            instant.phase % (scene.sample.phases / scene.sample.frames) == 0;
 }
 

@@ -140,6 +140,8 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.number({"bin", "sigma", "height of a bin of the profiles"}, s.sample.bin, {0.01, 100.0});
     v.whole({"frames", "", "whole states kept of the last cycle, at equal phases; a divisor of phases, 0 for none"},
             s.sample.frames, {0.0, 100000.0});
+    v.whole({"frame_cycles", "", "how many cycles at the end keep them; two show a pattern at half the frequency"},
+            s.sample.frame_cycles, {1.0, 1000.0});
     v.whole({"maps", "", "maps of z_cm(x, y) kept of every cycle, at equal phases; a divisor of phases"}, s.sample.maps,
             {1.0, 100000.0});
     v.number({"map_bin", "sigma", "width of a bin of these maps; 0: no maps are kept"}, s.sample.map_bin,

@@ -32,6 +32,10 @@ class Resolver {
             fail("sample.frames", fmt::format("sample.frames = {} does not divide sample.phases = {}", s_.sample.frames,
                                               s_.sample.phases));
         }
+        if (s_.sample.frame_cycles > s_.sample.settle + s_.sample.average) {
+            fail("sample.frame_cycles", fmt::format("sample.frame_cycles = {} are more than the {} cycles of the run",
+                                                    s_.sample.frame_cycles, s_.sample.settle + s_.sample.average));
+        }
         if (s_.sample.phases % s_.sample.maps != 0) {
             fail("sample.maps",
                  fmt::format("sample.maps = {} does not divide sample.phases = {}", s_.sample.maps, s_.sample.phases));

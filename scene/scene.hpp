@@ -97,13 +97,14 @@ struct Uniform {
 };
 
 struct Sample {
-    std::int64_t phases = 200;  // a cycle
-    std::int64_t settle = 10;   // cycles before averaging
-    std::int64_t average = 50;  // cycles averaged over
-    double bin = 0.5;           // height of a bin, in sigma
-    std::int64_t frames = 20;   // whole states kept of the last cycle, at equal phases; 0: none
-    std::int64_t maps = 4;      // maps of z_cm(x, y) kept of every cycle, at equal phases
-    double map_bin = 0.0;       // width of their bins, in sigma; 0: no maps
+    std::int64_t phases = 200;      // a cycle
+    std::int64_t settle = 10;       // cycles before averaging
+    std::int64_t average = 50;      // cycles averaged over
+    double bin = 0.5;               // height of a bin, in sigma
+    std::int64_t frames = 20;       // whole states kept of each of the last cycles, at equal phases; 0: none
+    std::int64_t frame_cycles = 1;  // how many cycles at the end keep them
+    std::int64_t maps = 4;          // maps of z_cm(x, y) kept of every cycle, at equal phases
+    double map_bin = 0.0;           // width of their bins, in sigma; 0: no maps
 };
 
 struct Md {
