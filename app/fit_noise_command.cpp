@@ -9,6 +9,7 @@
 #include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <set>
 #include <sstream>
 
 #include "app/exit_codes.hpp"
@@ -30,42 +31,107 @@ std::vector<std::string> split(const std::string& line) {
     return cells;
 }
 
-/// Rows of the named columns, in order of `value`. Columns that are not there are empty.
-compare::OnsetCurve read_table(const std::filesystem::path& path) {
+/// Columns of numbers of a CSV, by name; where `needed` is lacking or a cell is no number, says so. Columns of `wanted`
+/// that the file does not have are left out.
+using Table = std::map<std::string, std::vector<double>>;
+
+Table read_table(const std::filesystem::path& path, const std::vector<std::string>& needed,
+                 const std::vector<std::string>& wanted = {}) {
     std::ifstream file(path);
     if (!file) throw files::NoInput(fmt::format("{}: no such table", path.string()));
     std::string line;
     std::getline(file, line);
     const std::vector<std::string> header = split(line);
-    const std::vector<std::string> wanted{"value", "mean_square", "order", "mean_square_error", "order_error"};
+    Table table;
     std::map<std::string, std::size_t> column;
-    for (std::size_t c = 0; c < header.size(); ++c) column.emplace(header[c], c);
-    for (std::size_t w = 0; w < 3; ++w)
-        if (!column.contains(wanted[w]))
-            throw files::Damaged(
-                fmt::format("{}:1: no column '{}'; needed: value, mean_square, order", path.string(), wanted[w]));
-    std::vector<std::vector<double>> rows;
+    for (const auto* names : {&needed, &wanted}) {
+        for (const std::string& name : *names) {
+            const auto at = std::find(header.begin(), header.end(), name);
+            if (at != header.end()) {
+                column.emplace(name, static_cast<std::size_t>(at - header.begin()));
+                table[name] = {};
+            } else if (names == &needed) {
+                throw files::Damaged(
+                    fmt::format("{}:1: no column '{}'; needed: {}", path.string(), name, fmt::join(needed, ", ")));
+            }
+        }
+    }
     for (int number = 2; std::getline(file, line); ++number) {
         const std::vector<std::string> cells = split(line);
-        std::vector<double> row;
-        for (const std::string& name : wanted) {
-            if (!column.contains(name)) continue;
+        for (const auto& [name, at] : column) {
             try {
-                row.push_back(std::stod(cells.at(column.at(name))));
+                table[name].push_back(std::stod(cells.at(at)));
             } catch (const std::logic_error&) {
                 throw files::Damaged(fmt::format("{}:{}: no number in column '{}'", path.string(), number, name));
             }
         }
-        rows.push_back(row);
     }
-    std::sort(rows.begin(), rows.end());
+    return table;
+}
+
+/// <psi^2> and P_max against the control: the mean of the rows (seeds) of each value, in order.
+compare::OnsetCurve read_measured(const std::filesystem::path& path) {
+    const Table table = read_table(path, {"value", "mean_square", "order"}, {"mean_square_error", "order_error"});
+    const auto& value = table.at("value");
+    const std::set<double> controls(value.begin(), value.end());
     compare::OnsetCurve curve;
-    std::vector<std::vector<double>*> targets{&curve.control, &curve.mean_square, &curve.order};
-    if (column.contains(wanted[3])) targets.push_back(&curve.mean_square_error);
-    if (column.contains(wanted[4])) targets.push_back(&curve.order_error);
-    for (const auto& row : rows)
-        for (std::size_t t = 0; t < targets.size(); ++t) targets[t]->push_back(row[t]);
+    curve.control.assign(controls.begin(), controls.end());
+    const auto merge = [&](const char* name, bool squares) {
+        std::vector<double> merged;
+        if (!table.contains(name)) return merged;
+        for (const double control : controls) {
+            double sum = 0.0, rows = 0.0;
+            for (std::size_t i = 0; i < value.size(); ++i) {
+                if (value[i] != control) continue;
+                const double cell = table.at(name)[i];
+                sum += squares ? cell * cell : cell;
+                rows += 1.0;
+            }
+            merged.push_back((squares ? std::sqrt(sum) : sum) / rows);
+        }
+        return merged;
+    };
+    curve.mean_square = merge("mean_square", false);
+    curve.order = merge("order", false);
+    curve.mean_square_error = merge("mean_square_error", true);
+    curve.order_error = merge("order_error", true);
     return curve;
+}
+
+/// TABLE.blocks.csv, if there is one: the blocks of cycles of every run, by control.
+std::vector<compare::MeasuredRuns> read_blocks(std::filesystem::path path) {
+    path.replace_extension(".blocks.csv");
+    if (!std::filesystem::exists(path)) return {};
+    std::vector<std::string> needed{"value", "run", "mean_square"};
+    const auto angles = static_cast<std::size_t>(compare::PowerSpectrum::angles);
+    for (std::size_t a = 0; a < angles; ++a) needed.push_back(fmt::format("power_{}", a));
+    const Table table = read_table(path, needed);
+    std::map<double, std::map<double, std::vector<compare::PatternBlock>>> by_control;
+    for (std::size_t i = 0; i < table.at("value").size(); ++i) {
+        compare::PatternBlock block{table.at("mean_square")[i], {}};
+        for (std::size_t a = 0; a < angles; ++a) block.by_angle.push_back(table.at(needed[3 + a])[i]);
+        by_control[table.at("value")[i]][table.at("run")[i]].push_back(block);
+    }
+    std::vector<compare::MeasuredRuns> points;
+    for (const auto& [control, runs] : by_control) {
+        points.push_back({control, {}});
+        for (const auto& [run, blocks] : runs) points.back().runs.push_back(blocks);
+    }
+    return points;
+}
+
+/// Curves of the model that an earlier call left.
+std::vector<compare::ModelCurve> read_model(const std::filesystem::path& path) {
+    const Table table = read_table(path, {"noise", "control", "mean_square", "order"});
+    std::vector<compare::ModelCurve> curves;
+    for (std::size_t i = 0; i < table.at("noise").size(); ++i) {
+        if (curves.empty() || curves.back().noise != table.at("noise")[i]) curves.push_back({table.at("noise")[i], {}});
+        compare::OnsetCurve& curve = curves.back().curve;
+        curve.control.push_back(table.at("control")[i]);
+        curve.mean_square.push_back(table.at("mean_square")[i]);
+        curve.order.push_back(table.at("order")[i]);
+    }
+    return curves;
 }
 
 /// One steady state of the model: its mean spectrum.
@@ -151,16 +217,19 @@ int run_fit_noise(const FitNoiseOptions& options) {
     check(options);
     const std::filesystem::path path =
         std::filesystem::is_directory(options.table) ? options.table / "table.csv" : options.table;
-    const compare::OnsetCurve measured = read_table(path);
+    const compare::OnsetCurve measured = read_measured(path);
     if (measured.control.size() < 4)
         throw files::Damaged(
-            fmt::format("{}: {} rows; at least four are needed", path.string(), measured.control.size()));
-    const std::vector<compare::ModelCurve> model = model_curves(options);
-    std::filesystem::path beside = path;
-    files::write_atomically(beside.replace_extension(".model.csv"), as_table(model));
+            fmt::format("{}: {} values; at least four are needed", path.string(), measured.control.size()));
+    std::filesystem::path kept = options.model;
+    if (kept.empty()) kept = std::filesystem::path(path).replace_extension(".model.csv");
+    if (options.model.empty() || !std::filesystem::exists(kept))
+        files::write_atomically(kept, as_table(model_curves(options)));
+    const std::vector<compare::ModelCurve> model = read_model(kept);
+    const std::vector<compare::MeasuredRuns> blocks = read_blocks(path);
     const compare::NoiseFit fit = [&] {
         try {
-            return compare::fit_noise(measured, model);
+            return compare::fit_noise(measured, model, compare::redraw_blocks(measured, blocks), options.draws);
         } catch (const std::invalid_argument& error) {
             throw files::Damaged(fmt::format("{}: {}", path.string(), error.what()));
         }
@@ -170,12 +239,17 @@ int run_fit_noise(const FitNoiseOptions& options) {
         residuals.push_back({{"noise", model[i].noise}, {"residual", fit.residuals[i]}});
     const nlohmann::ordered_json line{{"noise", fit.noise},
                                       {"noise_error", fit.noise_error},
+                                      {"noise_low", fit.noise_low},
+                                      {"noise_high", fit.noise_high},
                                       {"mean_field_onset", fit.mean_field_onset},
                                       {"mean_field_onset_error", fit.mean_field_onset_error},
                                       {"onset", fit.onset},
+                                      {"onset_error", fit.onset_error},
                                       {"onset_control", fit.onset_control},
                                       {"scale", fit.scale},
                                       {"residual", fit.residual},
+                                      {"draws", fit.fitted_draws},
+                                      {"points_with_blocks", blocks.size()},
                                       {"residuals", residuals}};
     fmt::print("{}\n", line.dump());
     return exit_code::done;

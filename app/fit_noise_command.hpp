@@ -18,10 +18,13 @@ struct FitNoiseOptions {
     std::int64_t settle = 8000, average = 2000;  // steps
     std::int64_t seeds = 1;
     std::uint64_t seed = 1;
+    std::filesystem::path model;  // CSV of the model's curves: read if there, else written; default beside the table
+    int draws = 200;              // of the bootstrap
 };
 
-/// Prints one line of JSON; the curves of the model go beside the table as TABLE.model.csv. Returns an exit code;
-/// throws files::NoInput, files::Damaged (not such a table) or UsageError.
+/// Prints one line of JSON. Errors by bootstrap over the blocks of TABLE.blocks.csv (columns value, run, mean_square,
+/// power_0 to power_20), or within the table's errors where there are none. The model's curves go to options.model.
+/// Returns an exit code; throws files::NoInput, files::Damaged (not such a table) or UsageError.
 int run_fit_noise(const FitNoiseOptions& options);
 
 }  // namespace shaken::app

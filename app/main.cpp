@@ -79,6 +79,8 @@ void add_pattern_options(CLI::App& command, PatternsOptions& options) {
     command.add_option("--from", options.first, "first cycle; default: the scene's settling time");
     command.add_option("--cycles", options.cycles, "how many; default: all that follow")
         ->check(CLI::Range(1, 1000000000));
+    command.add_option("--waves", options.waves, "how many waves of the box are told of, the strongest; default 5")
+        ->check(CLI::Range(1, 1000000));
     command.add_flag("--json", options.json, "one line of JSON");
 }
 
@@ -109,6 +111,9 @@ void add_fit_noise_options(CLI::App& command, FitNoiseOptions& options) {
     command.add_option("--average", options.average, "steps; default 2000")->check(CLI::Range(1, 1000000000));
     command.add_option("--seeds", options.seeds, "averaged over; default 1")->check(CLI::Range(1, 1000));
     command.add_option("--seed", options.seed, "the first; default 1");
+    command.add_option("--model", options.model,
+                       "CSV of the model's curves: read if it is there, else made; default: made as TABLE.model.csv");
+    command.add_option("--draws", options.draws, "of the bootstrap; default 200")->check(CLI::Range(2, 1000000));
 }
 
 void add_plan_options(CLI::App& command, PlanOptions& options) {

@@ -38,7 +38,7 @@ compare::PatternSummary pattern_of(const files::Hdf5File& file, const std::files
         throw UsageError(fmt::format("no map in cycles {} to {}; {} has cycles {} to {}", window.first,
                                      window.first + window.cycles - 1, path.string(), maps.cycle(0),
                                      maps.cycle(maps.rows() - 1)));
-    return compare::summarise_pattern(maps, window);
+    return compare::summarise_pattern(maps, window, options.waves);
 }
 
 void print_measure(const char* name, const compare::Measure& measure, const char* unit) {

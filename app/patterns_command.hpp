@@ -13,6 +13,7 @@ struct PatternsOptions {
     double phase = 0.25;
     std::optional<std::int64_t> first;   // cycle; without: the scene's settling time
     std::optional<std::int64_t> cycles;  // without: all that follow
+    std::size_t waves = 5;               // how many, the strongest
     bool json = false;
 };
 

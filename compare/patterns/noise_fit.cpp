@@ -3,9 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <stdexcept>
-
-#include "scene/random_stream.hpp"
+#include <utility>
 
 namespace shaken::compare {
 
@@ -98,6 +98,18 @@ NoiseFit fit_all(const OnsetCurve& measured, const std::vector<ModelCurve>& mode
     return fit;
 }
 
+/// The mean of as many blocks as there are, drawn with replacement.
+PatternBlock drawn_mean(const std::vector<PatternBlock>& blocks, scene::RandomStream& random) {
+    PatternBlock mean{0.0, std::vector<double>(blocks.front().by_angle.size(), 0.0)};
+    const auto count = static_cast<double>(blocks.size());
+    for (std::size_t b = 0; b < blocks.size(); ++b) {
+        const PatternBlock& block = blocks[random.index(blocks.size())];
+        mean.mean_square += block.mean_square / count;
+        for (std::size_t a = 0; a < mean.by_angle.size(); ++a) mean.by_angle[a] += block.by_angle[a] / count;
+    }
+    return mean;
+}
+
 double deviation(const std::vector<double>& values) {
     double mean = 0.0, square = 0.0;
     for (const double v : values) mean += v / static_cast<double>(values.size());
@@ -120,27 +132,70 @@ double steepest_rise(const OnsetCurve& curve) {
                   slope[steepest + 1]);
 }
 
-NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, int draws, std::uint64_t seed) {
+Redraw redraw_within_errors(OnsetCurve measured) {
+    return [measured = std::move(measured)](scene::RandomStream& random) {
+        OnsetCurve drawn = measured;
+        for (std::size_t i = 0; i < measured.mean_square_error.size(); ++i)
+            drawn.mean_square[i] += measured.mean_square_error[i] * random.normal();
+        for (std::size_t i = 0; i < measured.order_error.size(); ++i)
+            drawn.order[i] += measured.order_error[i] * random.normal();
+        return drawn;
+    };
+}
+
+Redraw redraw_blocks(OnsetCurve measured, std::vector<MeasuredRuns> blocks) {
+    return
+        [within = redraw_within_errors(std::move(measured)), blocks = std::move(blocks)](scene::RandomStream& random) {
+            OnsetCurve drawn = within(random);
+            for (const MeasuredRuns& point : blocks) {
+                const auto at = std::find(drawn.control.begin(), drawn.control.end(), point.control);
+                if (at == drawn.control.end()) continue;
+                const auto i = static_cast<std::size_t>(at - drawn.control.begin());
+                const auto runs = static_cast<double>(point.runs.size());
+                drawn.mean_square[i] = drawn.order[i] = 0.0;
+                for (std::size_t r = 0; r < point.runs.size(); ++r) {
+                    const PatternBlock mean = drawn_mean(point.runs[random.index(point.runs.size())], random);
+                    drawn.mean_square[i] += mean.mean_square / runs;
+                    drawn.order[i] += *std::max_element(mean.by_angle.begin(), mean.by_angle.end()) /
+                                      std::accumulate(mean.by_angle.begin(), mean.by_angle.end(), 0.0) / runs;
+                }
+            }
+            return drawn;
+        };
+}
+
+NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, const Redraw& redraw, int draws,
+                   std::uint64_t seed) {
     check(measured);
     if (model.size() < 3) throw std::invalid_argument("the fit needs at least three noise strengths");
     for (std::size_t i = 1; i < model.size(); ++i)
         if (!(model[i].noise > model[i - 1].noise))
             throw std::invalid_argument("the model's noise strengths must ascend");
     NoiseFit fit = fit_all(measured, model);
+    if (!redraw) return fit;
     scene::RandomStream random(seed);
-    std::vector<double> noises, onsets;
+    std::vector<double> noises, mean_field_onsets, onsets;
     for (int d = 0; d < draws; ++d) {
-        OnsetCurve drawn = measured;
-        for (std::size_t i = 0; i < measured.mean_square_error.size(); ++i)
-            drawn.mean_square[i] += measured.mean_square_error[i] * random.normal();
-        for (std::size_t i = 0; i < measured.order_error.size(); ++i)
-            drawn.order[i] += measured.order_error[i] * random.normal();
-        const NoiseFit one = fit_all(drawn, model);
-        noises.push_back(one.noise);
-        onsets.push_back(one.mean_field_onset);
+        try {
+            const NoiseFit one = fit_all(redraw(random), model);
+            noises.push_back(one.noise);
+            mean_field_onsets.push_back(one.mean_field_onset);
+            onsets.push_back(one.onset);
+        } catch (const std::invalid_argument&) {
+            continue;
+        }
     }
+    fit.fitted_draws = static_cast<int>(noises.size());
+    if (noises.empty()) return fit;
     fit.noise_error = deviation(noises);
-    fit.mean_field_onset_error = deviation(onsets);
+    fit.mean_field_onset_error = deviation(mean_field_onsets);
+    fit.onset_error = deviation(onsets);
+    std::sort(noises.begin(), noises.end());
+    const auto quantile = [&](double share) {
+        return noises[static_cast<std::size_t>(share * static_cast<double>(noises.size() - 1) + 0.5)];
+    };
+    fit.noise_low = quantile(0.16);
+    fit.noise_high = quantile(0.84);
     return fit;
 }
 

@@ -6,7 +6,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <vector>
+
+#include "compare/patterns/pattern_summary.hpp"
+#include "scene/random_stream.hpp"
 
 namespace shaken::compare {
 
@@ -21,6 +25,23 @@ struct OnsetCurve {
 /// parabola through it and the slopes beside it. Throws std::invalid_argument for fewer than four points.
 double steepest_rise(const OnsetCurve& curve);
 
+/// Another curve that could as well have been measured.
+using Redraw = std::function<OnsetCurve(scene::RandomStream&)>;
+
+/// Every value within its error, normally distributed.
+Redraw redraw_within_errors(OnsetCurve measured);
+
+/// The blocks of cycles of every run (seed) at one control.
+struct MeasuredRuns {
+    double control = 0.0;
+    std::vector<std::vector<PatternBlock>> runs;
+};
+
+/// Bootstrap over seeds and cycles (Efron 1979): at each control as many runs as there are are drawn with replacement,
+/// then as many blocks of cycles of each; <psi^2> and P_max are those of each run's mean spectrum, and their mean over
+/// runs. Controls of `measured` without blocks are redrawn within their errors.
+Redraw redraw_blocks(OnsetCurve measured, std::vector<MeasuredRuns> blocks);
+
 /// One curve of the model, of noise strength F.
 struct ModelCurve {
     double noise = 0.0;
@@ -34,15 +55,18 @@ struct NoiseFit {
     double onset_control = 0.0;     // the same as the model's control
     double scale = 0.0;             // measured <psi^2> over the model's
     double residual = 0.0;          // mean square difference of <psi^2>, at the best curve
-    double noise_error = 0.0, mean_field_onset_error = 0.0;
+    // Over redrawn curves: standard deviations, and where the middle 68 per cent of F begin and end.
+    double noise_error = 0.0, mean_field_onset_error = 0.0, onset_error = 0.0;
+    double noise_low = 0.0, noise_high = 0.0;
+    int fitted_draws = 0;
     std::vector<double> residuals;  // one for each curve of the model
 };
 
 /// Model curves ascend in noise; at least three. The best noise is the minimum of the parabola through the residuals of
-/// the best curve and its neighbours, over the logarithm of the noise. Errors: standard deviation over `draws` sets of
-/// measured values, redrawn within their errors from `seed`.
-/// Throws std::invalid_argument for curves too short or not in order.
-NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, int draws = 100,
-                   std::uint64_t seed = 1);
+/// the best curve and its neighbours, over the logarithm of the noise. Errors: over `draws` curves of `redraw`, from
+/// `seed`; a drawn curve that cannot be fitted is left out. Throws std::invalid_argument for curves too short or not in
+/// order.
+NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, const Redraw& redraw = {},
+                   int draws = 200, std::uint64_t seed = 1);
 
 }  // namespace shaken::compare

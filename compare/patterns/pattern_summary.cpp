@@ -39,22 +39,36 @@ Observed observe(const fields::HeightMaps& maps, const PatternWindow& window, Ma
     return seen;
 }
 
-PowerSpectrum spectrum_of(const Observed& seen, const MapTransform& transform, std::size_t from, std::size_t to) {
+constexpr std::size_t most_blocks = 10;
+
+PowerSpectrum spectrum_without(const Observed& seen, const MapTransform& transform, std::size_t from, std::size_t to) {
     PowerSpectrum spectrum(transform);
     for (std::size_t i = 0; i < seen.amplitudes.size(); ++i)
         if (i < from || i >= to) spectrum.add(seen.amplitudes[i]);
     return spectrum;
 }
 
+std::vector<PatternBlock> blocks_of(const Observed& seen, const MapTransform& transform) {
+    const std::size_t count = seen.amplitudes.size(), blocks = std::min(most_blocks, count);
+    std::vector<PatternBlock> found;
+    for (std::size_t b = 0; b < blocks; ++b) {
+        PowerSpectrum spectrum(transform);
+        for (std::size_t i = b * count / blocks; i < (b + 1) * count / blocks; ++i) spectrum.add(seen.amplitudes[i]);
+        found.push_back({spectrum.mean_square(), spectrum.power_by_angle()});
+    }
+    return found;
+}
+
 /// A function of the mean spectrum with the error that leaving out blocks of cycles gives.
 Measure measure(const Observed& seen, const MapTransform& transform,
                 const std::function<double(const PowerSpectrum&)>& quantity) {
-    const std::size_t count = seen.amplitudes.size(), blocks = std::min<std::size_t>(10, count);
+    const std::size_t count = seen.amplitudes.size(), blocks = std::min(most_blocks, count);
     std::vector<double> without;
     if (blocks > 1)
         for (std::size_t b = 0; b < blocks; ++b)
-            without.push_back(quantity(spectrum_of(seen, transform, b * count / blocks, (b + 1) * count / blocks)));
-    return {quantity(spectrum_of(seen, transform, 0, 0)), jackknife_error(without)};
+            without.push_back(
+                quantity(spectrum_without(seen, transform, b * count / blocks, (b + 1) * count / blocks)));
+    return {quantity(spectrum_without(seen, transform, 0, 0)), jackknife_error(without)};
 }
 
 }  // namespace
@@ -63,7 +77,7 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
     MapTransform transform(maps.grid());
     const Observed seen = observe(maps, window, transform);
     if (seen.cycles.empty()) throw std::invalid_argument("no map at this phase in these cycles");
-    const PowerSpectrum spectrum = spectrum_of(seen, transform, 0, 0);
+    const PowerSpectrum spectrum = spectrum_without(seen, transform, 0, 0);
 
     PatternSummary summary;
     summary.window = window;
@@ -72,6 +86,7 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
     summary.order = measure(seen, transform, [](const PowerSpectrum& s) { return s.order(); });
     const double height = std::accumulate(seen.mean_height.begin(), seen.mean_height.end(), 0.0) /
                           static_cast<double>(seen.mean_height.size());
+    summary.mean_height = height;
     summary.relative_mean_square = {summary.mean_square.value / (height * height),
                                     summary.mean_square.error / (height * height)};
     summary.wavelength = spectrum.dominant_wavelength();
@@ -101,6 +116,7 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
         }
         summary.waves.push_back(wave);
     }
+    summary.blocks = blocks_of(seen, transform);
     return summary;
 }
 
@@ -117,7 +133,9 @@ nlohmann::ordered_json to_json(const PatternSummary& s) {
                                 {"wavelength", s.wavelength},
                                 {"angle", s.angle},
                                 {"coherent_share", s.coherent_share},
-                                {"waves", nlohmann::ordered_json::array()}};
+                                {"mean_height", s.mean_height},
+                                {"waves", nlohmann::ordered_json::array()},
+                                {"blocks", nlohmann::ordered_json::array()}};
     for (const WaveSummary& w : s.waves) {
         json["waves"].push_back({{"waves_x", w.wave.mx},
                                  {"waves_y", w.wave.my},
@@ -126,6 +144,8 @@ nlohmann::ordered_json to_json(const PatternSummary& s) {
                                  {"coherent_error", w.coherent_error},
                                  {"multiplier", w.multiplier}});
     }
+    for (const PatternBlock& b : s.blocks)
+        json["blocks"].push_back({{"mean_square", b.mean_square}, {"power_by_angle", b.by_angle}});
     return json;
 }
 

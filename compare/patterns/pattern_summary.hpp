@@ -30,16 +30,24 @@ struct WaveSummary {
     double multiplier = 0.0;                      // from cycle to cycle: modulus, negative at half the frequency
 };
 
+/// Mean spectrum of one block of cycles, as far as the onset of a pattern needs it.
+struct PatternBlock {
+    double mean_square = 0.0;      // <psi^2>, sigma^2
+    std::vector<double> by_angle;  // power for each direction, PowerSpectrum::power_by_angle
+};
+
 struct PatternSummary {
     PatternWindow window;
     std::int64_t maps = 0;
     Measure mean_square;           // <psi^2>, sigma^2
+    double mean_height = 0.0;      // <z_cm>, sigma, laboratory frame
     Measure relative_mean_square;  // <psi^2>/<z_cm>^2
     Measure order;                 // P_max of the mean spectrum
     double wavelength = 0.0;       // sigma
     double angle = 0.0;            // of the wavevector, [0, pi)
     double coherent_share = 0.0;  // of <psi^2> in the waves' alternating means, less what noise alone would leave there
-    std::vector<WaveSummary> waves;  // the strongest, by power
+    std::vector<WaveSummary> waves;    // the strongest, by power
+    std::vector<PatternBlock> blocks;  // at most ten, equally long, in order
 };
 
 /// Throws std::invalid_argument where the window holds no map.

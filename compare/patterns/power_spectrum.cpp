@@ -83,19 +83,23 @@ double PowerSpectrum::mean_square() const {
     return std::accumulate(sums_.begin(), sums_.end(), 0.0) / static_cast<double>(maps_);
 }
 
-std::vector<double> PowerSpectrum::by_angle() const {
-    std::vector<double> shares(static_cast<std::size_t>(angles), 0.0);
+std::vector<double> PowerSpectrum::power_by_angle() const {
+    std::vector<double> powers(static_cast<std::size_t>(angles), 0.0);
     const double shortest = pi / std::max(grid_.dx(), grid_.dy());
-    double sum = 0.0;
     for (std::size_t i = 0; i < waves_.size(); ++i) {
         const auto& wave = waves_[i];
         if (std::hypot(wave.kx, wave.ky) > shortest * (1.0 + 1e-12)) continue;
         // Angles in units of a bin; a wavevector and its opposite are one, hence the remainder.
         const double direction = std::atan2(wave.ky, wave.kx) / pi * static_cast<double>(angles);
         const std::int64_t bin = (std::llround(direction) + angles) % angles;
-        shares[static_cast<std::size_t>(bin)] += sums_[i];
-        sum += sums_[i];
+        powers[static_cast<std::size_t>(bin)] += sums_[i] / static_cast<double>(maps_);
     }
+    return powers;
+}
+
+std::vector<double> PowerSpectrum::by_angle() const {
+    std::vector<double> shares = power_by_angle();
+    const double sum = std::accumulate(shares.begin(), shares.end(), 0.0);
     for (double& share : shares) share = sum > 0.0 ? share / sum : std::nan("");
     return shares;
 }

@@ -54,8 +54,10 @@ class PowerSpectrum {
     /// Mean over maps of |a|^2, as psi^2 counts it: their sum is <psi^2>.
     std::vector<double> power() const;
     double mean_square() const;
-    /// Power for each direction of the wavevector, bin b around the angle b pi/21 in [0, pi), of waves no shorter than
-    /// two bins of the coarser axis; shares of their sum.
+    /// Mean power for each direction of the wavevector, bin b around the angle b pi/21 in [0, pi), of waves no shorter
+    /// than two bins of the coarser axis.
+    std::vector<double> power_by_angle() const;
+    /// The same as shares of their sum.
     std::vector<double> by_angle() const;
     /// P_max: the share of the strongest direction; 1 for one plane wave. NaN for a flat map.
     double order() const;

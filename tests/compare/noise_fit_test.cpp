@@ -77,7 +77,7 @@ TEST_CASE("noise, mean-field onset and scale of made-up curves are recovered") {
     for (const double noise : {1e-3, 3e-3, 6e-3, 1.2e-2, 2.5e-2, 5e-2})
         model.push_back({noise, made_up(noise, controls)});
     OnsetCurve measured = as_layer(made_up(0.009, evenly(-0.15, 0.2, 36)), 1.97, 3.5);
-    const auto fit = compare::fit_noise(measured, model, 0);
+    const auto fit = compare::fit_noise(measured, model);
     CHECK(fit.noise == Approx(0.009).epsilon(0.15));  // truncation: noises a factor two apart
     CHECK(fit.mean_field_onset == Approx(1.97).epsilon(0.005));
     CHECK(fit.scale == Approx(3.5).epsilon(0.05));
@@ -86,7 +86,47 @@ TEST_CASE("noise, mean-field onset and scale of made-up curves are recovered") {
     measured.order_error.assign(measured.control.size(), 0.0);
     for (std::size_t i = 0; i < measured.control.size(); ++i)
         measured.mean_square_error[i] = 0.05 * measured.mean_square[i];
-    CHECK(compare::fit_noise(measured, model, 50).noise_error > 0.0);
+    CHECK(compare::fit_noise(measured, model, compare::redraw_within_errors(measured), 50).noise_error > 0.0);
+}
+
+TEST_CASE("the bootstrap over seeds and blocks scatters as the mean over seeds does") {
+    // Four seeds that differ by 0.2 and blocks that differ by 0.3 about them: for a mean over 4 seeds of 25 blocks the
+    // bootstrap's variance is that of the seeds' means and of the blocks.
+    constexpr int seeds = 4, blocks = 25, draws = 4000;
+    scene::RandomStream random(2);
+    compare::MeasuredRuns point{2.0, {}};
+    std::vector<double> means;
+    double within = 0.0;
+    for (int s = 0; s < seeds; ++s) {
+        const double centre = 5.0 + 0.2 * random.normal();
+        point.runs.emplace_back();
+        double sum = 0.0, squares = 0.0;
+        for (int b = 0; b < blocks; ++b) {
+            const double value = centre + 0.3 * random.normal();
+            point.runs.back().push_back({value, {value, 1.0, 1.0}});
+            sum += value / blocks;
+            squares += value * value / blocks;
+        }
+        means.push_back(sum);
+        within += (squares - sum * sum) / blocks / seeds / seeds;
+    }
+    double mean = 0.0, between = 0.0;
+    for (const double m : means) mean += m / seeds;
+    for (const double m : means) between += (m - mean) * (m - mean) / seeds / seeds;
+    const OnsetCurve measured{{1.0, 2.0}, {0.1, mean}, {0.5, 0.5}, {}, {}};
+    const auto redraw = compare::redraw_blocks(measured, {point});
+    double first = 0.0, second = 0.0, order = 0.0;
+    for (int d = 0; d < draws; ++d) {
+        const OnsetCurve drawn = redraw(random);
+        CHECK(drawn.mean_square[0] == 0.1);  // no error and no blocks: as measured
+        first += drawn.mean_square[1] / draws;
+        second += drawn.mean_square[1] * drawn.mean_square[1] / draws;
+        order += drawn.order[1] / draws;
+    }
+    const double variance = second - first * first;
+    CHECK(variance == Approx(between + within).epsilon(0.1));  // statistics: 1/sqrt(2000), four of those
+    CHECK(std::abs(first - mean) < 4.0 * std::sqrt(variance / draws));
+    CHECK(order == Approx(mean / (mean + 2.0)).epsilon(0.01));
 }
 
 TEST_CASE("the noise of a Swift-Hohenberg field is recovered within 20 per cent", "[slow]") {
@@ -94,7 +134,7 @@ TEST_CASE("the noise of a Swift-Hohenberg field is recovered within 20 per cent"
     std::vector<ModelCurve> model;
     for (const double noise : {4e-3, 7e-3, 1.2e-2, 2e-2, 3.5e-2}) model.push_back(simulated(noise, controls, 1));
     const auto measured = as_layer(simulated(0.012, evenly(-0.18, 0.18, 19), 77).curve, 1.965, 2.0);
-    const auto fit = compare::fit_noise(measured, model, 0);
+    const auto fit = compare::fit_noise(measured, model);
     CHECK(fit.noise == Approx(0.012).epsilon(0.2));
     CHECK(fit.mean_field_onset == Approx(1.965).epsilon(0.02));
 }

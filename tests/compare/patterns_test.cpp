@@ -4,6 +4,7 @@
 #include <cmath>
 #include <functional>
 #include <numbers>
+#include <random>
 
 #include "compare/patterns/floquet.hpp"
 #include "compare/patterns/pattern_summary.hpp"
@@ -67,9 +68,12 @@ TEST_CASE("the spectrum holds the whole mean square on grids of even and odd sid
 }
 
 TEST_CASE("the order of white noise is that of independent modes of the same grid") {
-    // Second way: draw the power of each wave from its own distribution, with no map and no transform.
+    // Second way, by another random generator: draw the power of each wave from its own distribution, with no map and
+    // no transform.
     constexpr int draws = 400, maps_a_draw = 20;
     scene::RandomStream random(5);
+    std::ranlux24 other(5);
+    std::normal_distribution<double> normal;
     compare::MapTransform transform(square);
     double by_maps = 0.0, by_modes = 0.0, squares = 0.0;
     for (int d = 0; d < draws; ++d) {
@@ -78,7 +82,7 @@ TEST_CASE("the order of white noise is that of independent modes of the same gri
             mapped.add(transform.amplitudes(noise(square, random)));
             std::vector<Amplitude> amplitudes;
             for (std::size_t w = 0; w < transform.waves().size(); ++w)
-                amplitudes.emplace_back(random.normal(), random.normal());
+                amplitudes.emplace_back(normal(other), normal(other));
             drawn.add(amplitudes);
         }
         by_maps += mapped.order() / draws;
@@ -139,6 +143,10 @@ TEST_CASE("a striped run is summed up as what it is") {
     CHECK(std::abs(summary.mean_square.value - 0.135) < 3.0 * summary.mean_square.error + 1e-3);
     CHECK(summary.coherent_share == Approx(0.125 / 0.135).epsilon(0.01));
     REQUIRE(!summary.waves.empty());
+    REQUIRE(summary.blocks.size() == 10);
+    double of_blocks = 0.0;
+    for (const auto& block : summary.blocks) of_blocks += block.mean_square / 10.0;
+    CHECK(of_blocks == Approx(summary.mean_square.value).epsilon(1e-12));  // round-off
     CHECK(summary.waves[0].wave.mx == 2);
     CHECK(summary.waves[0].coherent == Approx(0.25).epsilon(0.02));
     CHECK(summary.waves[0].multiplier == Approx(-1.0).epsilon(0.01));
