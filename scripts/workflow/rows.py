@@ -1,0 +1,98 @@
+# SPDX-License-Identifier: MIT
+"""Tables of pattern measures that grow by one row a run, under data/expected; scripts/pattern_rows is the command."""
+import csv
+import dataclasses
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "wavelength", "angle",
+           "coherent_share", "coherent", "coherent_error", "multiplier", "seconds", "command"]
+ONE_RUN = pathlib.Path(__file__).with_name("one_run.py")
+ANGLES = 21
+
+
+@dataclasses.dataclass(frozen=True)
+class Row:
+    """One run of a sweep: a scene with `key` at `value`, and other changes."""
+    engine: str
+    scene: str
+    key: str
+    value: str
+    overrides: tuple = ()
+
+    @property
+    def settings(self):
+        return [f"{self.key}={self.value}", *self.overrides]
+
+    @property
+    def command(self):
+        return " ".join(["shaken", self.engine, self.scene, *(f"--set {setting}" for setting in self.settings)])
+
+    @property
+    def folder(self):
+        """Its name where runs are kept."""
+        words = [setting.partition(".")[2].replace("=", "_") for setting in self.settings]
+        return "_".join([self.engine, pathlib.Path(self.scene).stem, *words])
+
+
+def read(table):
+    """Rows of a table as dictionaries of text; none where there is no table."""
+    if not pathlib.Path(table).exists():
+        return []
+    with open(table, newline="") as file:
+        return list(csv.DictReader(file))
+
+
+def missing(table, wanted):
+    known = {row["command"] for row in read(table)}
+    return [row for row in wanted if row.command not in known]
+
+
+def fill(table, wanted, shaken, runs=None):
+    """Makes the rows that `table` lacks, one after another; an exit code. Runs are kept and taken up again under `runs`, if given."""
+    table = pathlib.Path(table)
+    for row in missing(table, wanted):
+        with tempfile.TemporaryDirectory() as aside:
+            folder = pathlib.Path(runs or aside) / row.folder
+            ended = folder / f"{row.engine}.end.json"
+            if not ended.is_file():
+                code = subprocess.run([sys.executable, "-B", ONE_RUN, shaken, row.engine, folder, row.scene, *row.settings], check=False).returncode
+                if code:
+                    return code
+            end = json.loads(ended.read_text())
+            if end["exit_code"]:
+                print(f"{row.command}: {' '.join(end['said'])}; no row", file=sys.stderr)
+                continue
+            printed = subprocess.run([shaken, "patterns", folder, "--json"], check=True, capture_output=True, text=True)
+        add(table, row, json.loads(printed.stdout)[row.engine], end["seconds"])
+    return 0
+
+
+def add(table, row, found, seconds):
+    """A row, and its blocks of cycles in the table beside."""
+    columns = COLUMNS
+    if table.exists():
+        with open(table, newline="") as file:
+            columns = next(csv.reader(file))
+    else:
+        table.write_text(",".join(columns) + "\n")
+    cells = {name: found[name] for name in columns if name in found}
+    cells |= {name: found["waves"][0][name] for name in columns if name in found["waves"][0]}
+    cells |= {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
+    with open(table, "a", newline="") as file:
+        csv.DictWriter(file, columns).writerow({name: digits(cell) for name, cell in cells.items()})
+    run = sum(float(other["value"]) == float(row.value) for other in read(table))
+    blocks = table.with_suffix(".blocks.csv")
+    if not blocks.exists():
+        blocks.write_text(",".join(["value", "run", "block", "mean_square", *(f"power_{a}" for a in range(ANGLES))]) + "\n")
+    with open(blocks, "a", newline="") as file:
+        for number, block in enumerate(found["blocks"]):
+            csv.writer(file).writerow([row.value, run, number, digits(block["mean_square"]), *map(digits, block["power_by_angle"])])
+    print(f"{row.command}: <psi^2> {digits(found['mean_square'])}, P_max {digits(found['order'])}", flush=True)
+
+
+def digits(cell):
+    return f"{cell:.6g}" if isinstance(cell, float) else cell
