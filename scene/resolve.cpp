@@ -170,6 +170,13 @@ class Resolver {
     void sizes() const {
         constexpr double largest = 8e9;  // bytes
         const double bins = s_.continuum.lid / s_.sample.bin, phases = static_cast<double>(s_.sample.phases);
+        const double states = static_cast<double>(s_.sample.frames * s_.sample.frame_cycles);
+        const double frames = states * 6.0 * 8.0 * static_cast<double>(s_.number_of_particles);
+        if (frames > largest) {
+            fail("sample.frames",
+                 fmt::format("{:.3g} whole states of {} particles need {:.3g} GB; at most 8 are allowed", states,
+                             s_.number_of_particles, 1e-9 * frames));
+        }
         // Ten blocks of seven moments of 8 bytes, and a height a cycle.
         const double profiles = phases * (10.0 * 7.0 * 8.0 * bins + 8.0 * static_cast<double>(s_.sample.average));
         if (profiles > largest) {

@@ -9,9 +9,11 @@ import sys
 import tempfile
 
 COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "wavelength", "angle",
-           "coherent_share", "coherent", "coherent_error", "multiplier", "seconds", "command"]
+           "coherent_share", "coherent", "coherent_error", "multiplier", "waves_x", "waves_y", "seconds", "command"]
+WAVE_COLUMNS = ["value", "waves_x", "root_mean_square", "coherent", "coherent_error", "multiplier", "seconds", "command"]
 ONE_RUN = pathlib.Path(__file__).with_name("one_run.py")
 ANGLES = 21
+MOST_WAVES = 1000000  # all there are
 
 
 @dataclasses.dataclass(frozen=True)
@@ -22,6 +24,7 @@ class Row:
     key: str
     value: str
     overrides: tuple = ()
+    waves: int = 0   # above 0: a line for each of so many waves along x, in place of one for the run
 
     @property
     def settings(self):
@@ -66,8 +69,8 @@ def fill(table, wanted, shaken, runs=None):
             if end["exit_code"]:
                 print(f"{row.command}: {' '.join(end['said'])}; no row", file=sys.stderr)
                 continue
-            printed = subprocess.run([shaken, "patterns", folder, "--json"], check=True, capture_output=True, text=True)
-        add(table, row, json.loads(printed.stdout)[row.engine], end["seconds"])
+            printed = subprocess.run([shaken, "patterns", folder, "--json", "--waves", str(MOST_WAVES)], check=True, capture_output=True, text=True)
+        (add_waves if row.waves else add)(table, row, json.loads(printed.stdout)[row.engine], end["seconds"])
     return 0
 
 
@@ -92,6 +95,18 @@ def add(table, row, found, seconds):
         for number, block in enumerate(found["blocks"]):
             csv.writer(file).writerow([row.value, run, number, digits(block["mean_square"]), *map(digits, block["power_by_angle"])])
     print(f"{row.command}: <psi^2> {digits(found['mean_square'])}, P_max {digits(found['order'])}", flush=True)
+
+
+def add_waves(table, row, found, seconds):
+    """A line for each wave along x, the longest first."""
+    if not table.exists():
+        table.write_text(",".join(WAVE_COLUMNS) + "\n")
+    along = sorted((wave for wave in found["waves"] if wave["waves_y"] == 0 and 0 < wave["waves_x"] <= row.waves), key=lambda wave: wave["waves_x"])
+    with open(table, "a", newline="") as file:
+        for wave in along:
+            cells = wave | {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
+            csv.DictWriter(file, WAVE_COLUMNS).writerow({name: digits(cells[name]) for name in WAVE_COLUMNS})
+    print(f"{row.command}: {len(along)} waves", flush=True)
 
 
 def digits(cell):

@@ -131,6 +131,8 @@ TEST_CASE("wrong values are refused with what is allowed") {
         Case{"ceiling = 200", "ceiling = 200\n[sample]\nphases = 130", "sample.phases = 130 is not a multiple of 20"},
         Case{"ceiling = 200", "ceiling = 200\n[sample]\nframes = 30",
              "sample.frames = 30 does not divide sample.phases = 200"},
+        Case{"ceiling = 200", "ceiling = 200\n[sample]\nsettle = 1\naverage = 2\nframe_cycles = 4",
+             "sample.frame_cycles = 4 are more than the 3 cycles of the run"},
         Case{"ceiling = 200", "ceiling = 200\n[sample]\nmap_bin = 1e-3", "at most 8 are allowed"},
         Case{"ceiling = 200", "ceiling = 200\n[sample]\nphases = []", "sample.phases must be a whole number"},
         Case{"ceiling = 200", "ceiling = 200\n[continuum]\nlid = 10",

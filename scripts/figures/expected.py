@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: MIT
+"""What is kept under data/ for figures: rows of sweeps (data/expected), published numbers (data/references)."""
+import csv
+import re
+import tomllib
+from pathlib import Path
+
+import numpy as np
+
+DATA = Path(__file__).resolve().parents[2] / "data"
+
+
+def rows(name):
+    """Rows of data/expected/NAME, numbers as floats; none where there is no such table."""
+    path = DATA / "expected" / name
+    if not path.is_file():
+        return []
+    with open(path, newline="") as table:
+        return [{key: number(cell) for key, cell in row.items()} for row in csv.DictReader(table)]
+
+
+def number(cell):
+    try:
+        return float(cell)
+    except (TypeError, ValueError):
+        return cell
+
+
+def merged(table, columns=("mean_square", "relative_mean_square", "order"), errors=("mean_square_error", "order_error")):
+    """One row a value, ascending: means over the rows (seeds) of it, errors of those means."""
+    found = []
+    for value in sorted({row["value"] for row in table}):
+        same = [row for row in table if row["value"] == value]
+        row = {"value": value} | {name: float(np.mean([r[name] for r in same])) for name in columns}
+        found.append(row | {name: float(np.sqrt(np.sum(np.square([r[name] for r in same]))) / len(same)) for name in errors})
+    return found
+
+
+def setting(row, key, default=None):
+    """What a row's command sets a key to."""
+    found = re.search(re.escape(key) + r"=(\S+)", row["command"])
+    return found[1] if found else default
+
+
+def published(chapter):
+    """{key: number} of data/references/chapter_N.toml."""
+    return {entry["key"]: entry for entry in references(chapter)["number"]}
+
+
+def references(chapter):
+    return tomllib.loads((DATA / "references" / f"chapter_{chapter}.toml").read_text())
+
+
+def growth_onset(closure="jenkins_richman", pair="goldshtein", restitution=None, wide=None, scheme=None):
+    """Gamma at which the continuum's wave of 21 neither grows nor fades, between the rows of ch5_growth.csv; NaN if it does not cross."""
+    chosen = sorted((row["value"], np.log(abs(row["multiplier"]))) for row in rows("ch5_growth.csv")
+                    if setting(row, "closure", "jenkins_richman") == closure and setting(row, "pair_correlation", "goldshtein") == pair
+                    and setting(row, "continuum.restitution") == restitution and setting(row, "spacing_horizontal") == wide
+                    and setting(row, "continuum.scheme") == scheme)
+    for (low, before), (high, after) in zip(chosen, chosen[1:]):
+        if before < 0 <= after:
+            return low - before * (high - low) / (after - before)
+    return float("nan")

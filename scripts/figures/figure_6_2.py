@@ -1,0 +1,48 @@
+# SPDX-License-Identifier: MIT
+"""Figure 6.2: mean square of the layer's height against the plate's acceleration, MD and continuum."""
+import sys
+
+import numpy as np
+
+import expected
+import run_folder
+from style import DENSITY, TEMPERATURE, plt, points, save
+
+NAME = "figure_6_2"
+CAPTION = (
+    "Figure 6.2. Mean square deviation of the local height of the centre of mass, bins of 2 x 2 at ft = 0.25, against the peak acceleration: MD "
+    "(triangles; 400 cycles to settle, 100 averaged, bars of one standard error) and the continuum, started from a wave (circles; values below "
+    "1e-4 are drawn there). Broken lines: the onsets of the source, 1.955 in its continuum and 2.15 for long-range order in its MD; dotted: where our continuum's wave neither grows nor fades."
+)
+LOWEST = 1e-4
+
+
+def draw(study):
+    figure, axis = plt.subplots(figsize=(6.2, 4.4))
+    columns = {name: [] for name in ("engine", "Gamma", "mean square/sigma^2", "error")}
+    for engine, table, marker, colour in (("MD", "ch6_onset_md.csv", "^", DENSITY), ("continuum", "ch6_onset_continuum.csv", "o", TEMPERATURE)):
+        rows = expected.merged(expected.rows(table))
+        if not rows:
+            continue
+        gamma, square, error = (np.array([row[key] for row in rows]) for key in ("value", "mean_square", "mean_square_error"))
+        points(axis, gamma, np.maximum(square, LOWEST), y_error=np.where(square > LOWEST, error, 0), marker=marker, color=colour, mfc="none",
+               ms=6, label=engine, ls="-" if engine == "continuum" else "none", lw=0.8)
+        for values in zip([engine] * len(gamma), gamma, square, error):
+            for name, value in zip(columns, values):
+                columns[name].append(value)
+    published = expected.published(6)
+    axis.axvline(published["continuum_onset"]["value"], color=TEMPERATURE, ls="--", lw=0.9)
+    axis.axvline(published["onset"]["value"], color=DENSITY, ls="--", lw=0.9)
+    onset = expected.growth_onset()
+    if np.isfinite(onset):
+        axis.axvline(onset, color=TEMPERATURE, ls=":", lw=1.1)
+    axis.set_yscale("log")
+    axis.set_ylim(LOWEST, 2)
+    axis.set_xlabel(r"peak acceleration $\Gamma$")
+    axis.set_ylabel(r"$\langle\psi^2\rangle/\sigma^2$")
+    axis.legend(loc="center right")
+    return save(figure, study.figures, NAME, columns)
+
+
+if __name__ == "__main__":
+    sys.exit(run_folder.main_of_study(draw))

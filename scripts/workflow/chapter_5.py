@@ -1,0 +1,101 @@
+# SPDX-License-Identifier: MIT
+"""The runs, rows and figures of chapter 5: stripes, their wavelength, their motion, and what the continuum lacks.
+
+Rows are kept under data/expected and made only where one is lacking; ROWS=kept in the environment makes none. Runs, in the words of
+workflow/Snakefile, go to OUT/runs and are made again in every new OUT.
+"""
+import patterns_study
+from rows import Row
+
+STRIPES = "data/scenes/ch5_stripes.toml"
+STRIP = "data/scenes/ch5_growth.toml"
+DISPERSION = "data/scenes/ch5_dispersion.toml"
+DISPERSION_MD = "data/expected/ch5_dispersion_md.csv"
+DISPERSION_CONTINUUM = "data/expected/ch5_dispersion_continuum.csv"
+GROWTH = "data/expected/ch5_growth.csv"
+
+PUBLISHED = 2.2   # Gamma of the chapter
+WAVING = 3.6      # Gamma at which the continuum has stripes: its onset is 3.3 (docs/validation.md)
+FREQUENCIES = ("0.15", "0.2", "0.25", "0.3", "0.35", "0.4", "0.4174", "0.45", "0.5")
+
+# The open question: each choice that could make the published onset, by the settings that make it.
+GOLDSHTEIN = ("continuum.closure=jenkins_richman", "continuum.pair_correlation=goldshtein")
+CONSTANT = ("continuum.restitution=0.7",)
+CHOICES = {
+    "default": GOLDSHTEIN,
+    "constant e": GOLDSHTEIN + CONSTANT,
+    "carnahan_starling": ("continuum.closure=jenkins_richman", "continuum.pair_correlation=carnahan_starling"),
+    "carnahan_starling, constant e": ("continuum.closure=jenkins_richman", "continuum.pair_correlation=carnahan_starling") + CONSTANT,
+    "garzo_dufty": ("continuum.closure=garzo_dufty", "continuum.pair_correlation=goldshtein"),
+    "no 1/G terms": ("continuum.closure=jenkins_richman_dense", "continuum.pair_correlation=goldshtein"),
+    "no 1/G terms, constant e": ("continuum.closure=jenkins_richman_dense", "continuum.pair_correlation=goldshtein") + CONSTANT,
+    "ftcs, C_AD 0.1": GOLDSHTEIN + ("continuum.scheme=ftcs",),
+    "ftcs, C_AD 0.4": GOLDSHTEIN + ("continuum.scheme=ftcs", "continuum.artificial_dissipation=0.4"),
+    "the source's: ftcs, no 1/G terms, constant e": ("continuum.closure=jenkins_richman_dense", "continuum.pair_correlation=goldshtein")
+    + CONSTANT + ("continuum.scheme=ftcs",),
+}
+# The row of dx = 2 is the scene's own spacing, and its command does not name it.
+GRIDS = {"dx 2": (), "dx 1": ("continuum.spacing_horizontal=1.0",)}
+ACCELERATIONS = ("2.0", "2.2", "2.4", "2.6", "2.8", "3.0", "3.2", "3.4", "3.6")
+
+
+def growth_rows():
+    return [Row("continuum", STRIP, "plate.acceleration", gamma, choice + grid)
+            for grid in GRIDS.values() for choice in CHOICES.values() for gamma in ACCELERATIONS]
+
+
+def dispersion_rows(engine):
+    return [Row(engine, DISPERSION, "plate.frequency_star", f) for f in FREQUENCIES]
+
+
+def growth_by_wave_rows():
+    """Short runs from noise in which every wave of the strip grows or fades on its own."""
+    short = ("sample.settle=8", "sample.average=8")
+    return [Row("continuum", DISPERSION, "plate.frequency_star", f, short, waves=14) for f in FREQUENCIES]
+
+
+def runs():
+    two_cycles = ["sample.phases=40", "sample.average=8", "sample.frames=40", "sample.map_bin=1"]
+    of_md = two_cycles + ["sample.frame_cycles=8"]
+    large = ["box.x=126", "box.y=126", "particles.number=95256", "sample.phases=20", "sample.frames=0", "sample.average=2"]
+    # Stripes that grow from noise by 3 per cent a cycle take hundreds of cycles: the continuum starts from a wave.
+    wave = ["initial.wave=0.5", "initial.noise=0"]
+
+    def run(engine, scene, changes):
+        return {"engine": engine, "scene": scene, "changes": changes, "start": None}
+
+    return {
+        "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=150", *of_md]),
+        "md_stripes_high": run("md", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=80", *of_md]),
+        "continuum_stripes_high": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=80", *two_cycles, *wave,
+                                                             "sample.frame_cycles=2", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2",
+                                                             "continuum.spacing=0.2", "continuum.spacing_horizontal=1.0", "continuum.lid=25"]),
+        "md_large": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=150", "sample.map_bin=1", *large]),
+        "continuum_large": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=80", "sample.map_bin=2", *large, *wave,
+                                                      "initial.wave_x=6", "initial.wave_y=0", "continuum.spacing=0.25", "continuum.spacing_horizontal=2.0",
+                                                      "continuum.lid=25"]),
+    }
+
+
+SIDE_BY_SIDE = {"runs": ["md_stripes_high", "continuum_stripes_high"]}
+# runs: what OUT/runs must hold; rows: (table, rows) to be filled first; long: hours, made only when asked for by name.
+FIGURES = {
+    "figure_5_1": {"runs": ["md_stripes", "md_stripes_high", "continuum_stripes_high"]},
+    "figure_5_1_large": {"runs": ["md_large", "continuum_large"], "long": True},
+    "figure_5_2": {"rows": [(DISPERSION_MD, dispersion_rows("md")), (DISPERSION_CONTINUUM, growth_by_wave_rows())]},
+    "figure_5_3": {"runs": ["md_stripes"]},
+    "figure_5_4": SIDE_BY_SIDE,
+    "figure_5_5": SIDE_BY_SIDE,
+    "figure_5_6": SIDE_BY_SIDE,
+    "figure_5_7": SIDE_BY_SIDE,
+    "figure_5_8": SIDE_BY_SIDE,
+    "figure_5_9": SIDE_BY_SIDE,
+    "figure_5_10": SIDE_BY_SIDE,
+    "figure_5_movie": SIDE_BY_SIDE,
+    "figure_5_growth": {"rows": [(GROWTH, growth_rows())]},
+}
+
+
+def make(root, out, figures, jobs, dry_run, command):
+    """The chapter, or the named figures of it; an exit code."""
+    return patterns_study.make(root, out, FIGURES, runs(), figures, jobs, dry_run, command, "Chapter 5: patterns in a shaken layer")
