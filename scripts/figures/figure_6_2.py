@@ -4,8 +4,8 @@ import sys
 
 import numpy as np
 
-import expected
 import run_folder
+import tables
 from style import DENSITY, TEMPERATURE, plt, points, save
 
 NAME = "figure_6_2"
@@ -21,7 +21,7 @@ def draw(study):
     figure, axis = plt.subplots(figsize=(6.2, 4.4))
     columns = {name: [] for name in ("engine", "Gamma", "mean square/sigma^2", "error")}
     for engine, table, marker, colour in (("MD", "ch6_onset_md.csv", "^", DENSITY), ("continuum", "ch6_onset_continuum.csv", "o", TEMPERATURE)):
-        rows = expected.merged(expected.rows(table))
+        rows = tables.merged(tables.rows(table))
         if not rows:
             continue
         gamma, square, error = (np.array([row[key] for row in rows]) for key in ("value", "mean_square", "mean_square_error"))
@@ -30,10 +30,10 @@ def draw(study):
         for values in zip([engine] * len(gamma), gamma, square, error):
             for name, value in zip(columns, values):
                 columns[name].append(value)
-    published = expected.published(6)
+    published = tables.published(6)
     axis.axvline(published["continuum_onset"]["value"], color=TEMPERATURE, ls="--", lw=0.9)
     axis.axvline(published["onset"]["value"], color=DENSITY, ls="--", lw=0.9)
-    onset = expected.growth_onset()
+    onset = tables.growth_onset()
     if np.isfinite(onset):
         axis.axvline(onset, color=TEMPERATURE, ls=":", lw=1.1)
     axis.set_yscale("log")

@@ -1,0 +1,76 @@
+# SPDX-License-Identifier: MIT
+"""Figure 5.2: wavelength of the stripes against the plate's frequency, and how fast the continuum's waves grow or fade."""
+import sys
+
+import numpy as np
+
+import run_folder
+import tables
+from style import DENSITY, TEMPERATURE, plt, save
+
+NAME = "figure_5_2"
+CAPTION = (
+    "Figure 5.2. (a) Wavelength over depth of the strongest wave of a strip of 168 x 10, Gamma = 2.2: MD after 60 cycles (circles; open where at least half "
+    "of the power does not alternate from cycle to cycle, that is without a pattern), and the wave that grows fastest or fades slowest of those that alternate in the "
+    "continuum (triangles; open where it fades). Bars: the wavelengths that the strip allows, half a wave more or less. Line: fit to experiments with "
+    "its error. (b) Growth of that wave from cycle to cycle in the continuum, over cycles 8 to 15 from noise."
+)
+LENGTH, DEPTH = 168.0, 5.4
+ALTERNATES = 0.5        # share of the power in the waves' alternating means
+SMALLEST = 1e-9         # sigma: below, a wave has faded into round-off
+
+
+def fastest(rows):
+    """The alternating wave of the largest factor at one frequency; None where there is none."""
+    alternating = [row for row in rows if row["multiplier"] < 0 and row["root_mean_square"] > SMALLEST]
+    return max(alternating, key=lambda row: -row["multiplier"], default=None)
+
+
+def bars(waves):
+    """Wavelength over depth, and the bars below and above it that half a wave makes."""
+    middle = LENGTH / waves / DEPTH
+    return middle, middle - LENGTH / (waves + 0.5) / DEPTH, LENGTH / (waves - 0.5) / DEPTH - middle
+
+
+def draw(study):
+    md = sorted(tables.rows("ch5_dispersion_md.csv"), key=lambda row: row["value"])
+    waves = tables.rows("ch5_dispersion_continuum.csv")
+    fit = tables.references(5)["dispersion"]
+    figure, (upper, lower) = plt.subplots(2, 1, figsize=(5.8, 6.8), sharex=True, height_ratios=(2.2, 1))
+    f = np.linspace(0.13, 0.52, 200)
+    upper.plot(f, fit["offset"] + fit["factor"] * f ** fit["exponent"], color="black", lw=1.0, label=r"experiments: $1.0 + 1.1 f^{*-1.32 \pm 0.03}$")
+    upper.fill_between(f, *(fit["offset"] + fit["factor"] * f ** (fit["exponent"] + s * fit["exponent_error"]) for s in (-1, 1)), color="0.85", lw=0)
+    columns = {name: [] for name in ("engine", "f*", "waves in 168", "wavelength/H", "bar below", "bar above", "alternating share or factor a cycle")}
+
+    def point(engine, frequency, count, measure, marker, colour, full, shift):
+        middle, below, above = bars(count)
+        upper.errorbar(frequency + shift, middle, yerr=[[below], [above]], marker=marker, ms=6, color=colour, mfc=colour if full else "white", lw=0.8, ls="none")
+        for name, value in zip(columns, (engine, frequency, count, middle, below, above, measure)):
+            columns[name].append(value)
+
+    for row in md:
+        if row["waves_x"]:
+            point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent_share"] > ALTERNATES, 0)
+    factors = []
+    for frequency in sorted({row["value"] for row in waves}):
+        best = fastest([row for row in waves if row["value"] == frequency])
+        if best:
+            point("continuum", frequency, best["waves_x"], -best["multiplier"], "^", TEMPERATURE, best["multiplier"] < -1, 0.004)
+            factors.append((frequency, -best["multiplier"]))
+    upper.plot([], [], "o", color=DENSITY, label="MD")
+    upper.plot([], [], "^", color=TEMPERATURE, mfc="white", label="continuum, fastest wave (open: it fades)")
+    upper.axvline(fit["highest"], color="0.6", lw=0.8, ls=":")
+    upper.set_ylabel(r"$\lambda/H$")
+    upper.set_ylim(0, 22)
+    upper.legend(loc="upper right")
+    if factors:
+        lower.plot(*zip(*factors), "^-", color=TEMPERATURE, lw=0.8, mfc="white")
+    lower.axhline(1.0, color="0.5", lw=0.8)
+    lower.set_xlabel(r"$f^* = f\sqrt{H/g}$")
+    lower.set_ylabel("growth a cycle")
+    lower.set_xlim(0.12, 0.53)
+    return save(figure, study.figures, NAME, columns)
+
+
+if __name__ == "__main__":
+    sys.exit(run_folder.main_of_study(draw))
