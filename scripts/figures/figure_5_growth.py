@@ -11,7 +11,7 @@ from style import DENSITY, TEMPERATURE, plt, points, save
 NAME = "figure_5_growth"
 CAPTION = (
     "Growth from cycle to cycle of a wave of 21 diameters and one per cent of the density in the continuum, cycles 8 to 15, for each choice of closure, pair correlation, scheme and restitution in "
-    "the sink, on columns 2 wide (full markers) and 1 wide (open); above 1 the flat layer gives way to stripes. Below: the MD's order and the amplitude of its alternating wave. "
+    "the sink, on columns 2 wide (full markers) and 1 wide (open); above 1 the flat layer gives way to stripes; nothing is drawn where another wave than that is left. Below: the MD's order and the amplitude of its alternating wave. "
     "Broken: the source's onset in its continuum, 1.955, and in MD, 2.15."
 )
 # (closure, pair correlation, scheme): words, colour.
@@ -25,6 +25,7 @@ CHOICES = {
 }
 DISSIPATION = "0.1"   # default C_AD of ftcs
 SMALLEST = 1e-5       # sigma: what is smaller after eight cycles has nothing left of the wave that was put in
+WAVELENGTH = 21.0     # of that wave; where another is strongest, nothing is drawn
 
 
 def family(row):
@@ -35,7 +36,7 @@ def family(row):
 
 
 def draw(study):
-    rows = [row for row in tables.rows("ch5_growth.csv") if row["coherent"] > SMALLEST]
+    rows = [row for row in tables.rows("ch5_growth.csv") if row["coherent"] > SMALLEST and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(6.6, 7.4), sharex=True, height_ratios=(1.6, 1))
     names = ("closure", "pair correlation", "scheme", "C_AD", "e of the sink", "dx/sigma", "Gamma", "factor a cycle")
     columns = {name: [] for name in names}

@@ -65,9 +65,9 @@ def runs():
         return {"engine": engine, "scene": scene, "changes": changes, "start": None}
 
     return {
-        "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=150", *of_md]),
-        "md_stripes_high": run("md", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=80", *of_md]),
-        "continuum_stripes_high": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=80", *two_cycles, *wave,
+        "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=100", *of_md]),
+        "md_stripes_high": run("md", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *of_md]),
+        "continuum_stripes_high": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *two_cycles, *wave,
                                                              "sample.frame_cycles=2", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2",
                                                              "continuum.spacing=0.2", "continuum.spacing_horizontal=1.0", "continuum.lid=25"]),
         "md_large": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=150", "sample.map_bin=1", *large]),
