@@ -229,7 +229,8 @@ int run_fit_noise(const FitNoiseOptions& options) {
     const std::vector<compare::MeasuredRuns> blocks = read_blocks(path);
     const compare::NoiseFit fit = [&] {
         try {
-            return compare::fit_noise(measured, model, compare::redraw_blocks(measured, blocks), options.draws);
+            return compare::fit_noise(measured, model, compare::redraw_blocks(measured, blocks), options.draws, 1,
+                                      options.onset_by_size ? compare::OnsetBy::mean_square : compare::OnsetBy::order);
         } catch (const std::invalid_argument& error) {
             throw files::Damaged(fmt::format("{}: {}", path.string(), error.what()));
         }

@@ -20,6 +20,7 @@ struct FitNoiseOptions {
     std::uint64_t seed = 1;
     std::filesystem::path model;  // CSV of the model's curves: read if there, else written; default beside the table
     int draws = 200;              // of the bootstrap
+    bool onset_by_size = false;   // the onset is where <psi^2> rises most steeply, not P_max
 };
 
 /// Prints one line of JSON. Errors by bootstrap over the blocks of TABLE.blocks.csv (columns value, run, mean_square,

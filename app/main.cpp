@@ -113,6 +113,8 @@ void add_fit_noise_options(CLI::App& command, FitNoiseOptions& options) {
     command.add_option("--seed", options.seed, "the first; default 1");
     command.add_option("--model", options.model,
                        "CSV of the model's curves: read if it is there, else made; default: made as TABLE.model.csv");
+    command.add_flag("--onset-by-size", options.onset_by_size,
+                     "the onset is where <psi^2> rises most steeply (patterns without order), not P_max");
     command.add_option("--draws", options.draws, "of the bootstrap; default 200")->check(CLI::Range(2, 1000000));
 }
 

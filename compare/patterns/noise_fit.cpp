@@ -37,11 +37,11 @@ double mean_square_at(const OnsetCurve& curve, double control) {
 }
 
 /// The fit with one curve of the model: noise, onset, scale and residual.
-NoiseFit fit_one(const OnsetCurve& measured, double onset, const ModelCurve& model) {
+NoiseFit fit_one(const OnsetCurve& measured, double onset, const ModelCurve& model, OnsetBy by) {
     NoiseFit fit;
     fit.noise = model.noise;
     fit.onset = onset;
-    fit.onset_control = steepest_rise(model.curve);
+    fit.onset_control = steepest_rise(model.curve, by);
     fit.mean_field_onset = onset / (1.0 + fit.onset_control);
     std::vector<double> wanted, given;
     for (std::size_t i = 0; i < measured.control.size() && measured.control[i] <= onset; ++i) {
@@ -66,12 +66,12 @@ NoiseFit fit_one(const OnsetCurve& measured, double onset, const ModelCurve& mod
     return fit;
 }
 
-NoiseFit fit_all(const OnsetCurve& measured, const std::vector<ModelCurve>& model) {
-    const double onset = steepest_rise(measured);
+NoiseFit fit_all(const OnsetCurve& measured, const std::vector<ModelCurve>& model, OnsetBy by) {
+    const double onset = steepest_rise(measured, by);
     std::vector<NoiseFit> fits;
     std::vector<double> residuals;
     for (const ModelCurve& curve : model) {
-        fits.push_back(fit_one(measured, onset, curve));
+        fits.push_back(fit_one(measured, onset, curve, by));
         residuals.push_back(fits.back().residual);
     }
     std::size_t best = fits.size();
@@ -119,12 +119,13 @@ double deviation(const std::vector<double>& values) {
 
 }  // namespace
 
-double steepest_rise(const OnsetCurve& curve) {
+double steepest_rise(const OnsetCurve& curve, OnsetBy by) {
     check(curve);
+    const std::vector<double>& rising = by == OnsetBy::order ? curve.order : curve.mean_square;
     std::vector<double> middle, slope;
     for (std::size_t i = 1; i < curve.control.size(); ++i) {
         middle.push_back(0.5 * (curve.control[i - 1] + curve.control[i]));
-        slope.push_back((curve.order[i] - curve.order[i - 1]) / (curve.control[i] - curve.control[i - 1]));
+        slope.push_back((rising[i] - rising[i - 1]) / (curve.control[i] - curve.control[i - 1]));
     }
     const auto steepest = static_cast<std::size_t>(std::max_element(slope.begin(), slope.end()) - slope.begin());
     if (steepest == 0 || steepest + 1 == slope.size()) return middle[steepest];
@@ -165,19 +166,19 @@ Redraw redraw_blocks(OnsetCurve measured, std::vector<MeasuredRuns> blocks) {
 }
 
 NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, const Redraw& redraw, int draws,
-                   std::uint64_t seed) {
+                   std::uint64_t seed, OnsetBy by) {
     check(measured);
     if (model.size() < 3) throw std::invalid_argument("the fit needs at least three noise strengths");
     for (std::size_t i = 1; i < model.size(); ++i)
         if (!(model[i].noise > model[i - 1].noise))
             throw std::invalid_argument("the model's noise strengths must ascend");
-    NoiseFit fit = fit_all(measured, model);
+    NoiseFit fit = fit_all(measured, model, by);
     if (!redraw) return fit;
     scene::RandomStream random(seed);
     std::vector<double> noises, mean_field_onsets, onsets;
     for (int d = 0; d < draws; ++d) {
         try {
-            const NoiseFit one = fit_all(redraw(random), model);
+            const NoiseFit one = fit_all(redraw(random), model, by);
             noises.push_back(one.noise);
             mean_field_onsets.push_back(one.mean_field_onset);
             onsets.push_back(one.onset);

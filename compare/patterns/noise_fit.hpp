@@ -21,9 +21,14 @@ struct OnsetCurve {
     std::vector<double> mean_square_error, order_error;
 };
 
-/// The control at which the order rises most steeply: the largest slope between neighbouring points, refined by the
-/// parabola through it and the slopes beside it. Throws std::invalid_argument for fewer than four points.
-double steepest_rise(const OnsetCurve& curve);
+/// What tells the onset: long-range order where there is one, <psi^2> where the pattern stays disordered
+/// (section 6.6.2).
+enum class OnsetBy { order, mean_square };
+
+/// The control at which the order (or <psi^2>) rises most steeply: the largest slope between neighbouring points,
+/// refined by the parabola through it and the slopes beside it. Throws std::invalid_argument for fewer than four
+/// points.
+double steepest_rise(const OnsetCurve& curve, OnsetBy by = OnsetBy::order);
 
 /// Another curve that could as well have been measured.
 using Redraw = std::function<OnsetCurve(scene::RandomStream&)>;
@@ -67,6 +72,6 @@ struct NoiseFit {
 /// `seed`; a drawn curve that cannot be fitted is left out. Throws std::invalid_argument for curves too short or not in
 /// order.
 NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, const Redraw& redraw = {},
-                   int draws = 200, std::uint64_t seed = 1);
+                   int draws = 200, std::uint64_t seed = 1, OnsetBy by = OnsetBy::order);
 
 }  // namespace shaken::compare

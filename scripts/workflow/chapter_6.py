@@ -51,7 +51,8 @@ def runs():
     for gamma in ("2.2", "3.6"):
         add(f"continuum_{gamma}", "continuum", ONSET, f"plate.acceleration={gamma}", "sample.settle=80", "sample.average=2", *FROM_A_WAVE)
     # Tables 6.1 and 6.2: cells of 126 x 10, the cycle after thirty, eight states of it.
-    states = ("box.x=126", "particles.number=7560", "plate.acceleration=2.2", "sample.settle=30", "sample.average=1", "sample.phases=40", "sample.frames=8")
+    states = ("box.x=126", "particles.number=7560", "plate.acceleration=2.2", "sample.settle=30", "sample.average=1", "sample.phases=40", "sample.frames=8",
+              "continuum.lid=25")
     for f in ("0.25", "0.4174"):
         add(f"states_{f}", "continuum", DISPERSION, f"plate.frequency_star={f}", *states)
         add(f"states_{f}_constant", "continuum", DISPERSION, f"plate.frequency_star={f}", "continuum.restitution=0.7", *states)

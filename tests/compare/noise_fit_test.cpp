@@ -68,6 +68,9 @@ ModelCurve simulated(double noise, const std::vector<double>& controls, std::uin
 TEST_CASE("the steepest rise of a curve is found between its points") {
     const auto curve = made_up(0.01, evenly(-0.2, 0.2, 41));
     CHECK(compare::steepest_rise(curve) == Approx(2.0 * std::pow(0.01, 2.0 / 3.0)).margin(0.002));  // a fifth of a step
+    const OnsetCurve kinked{{0.0, 1.0, 2.0, 3.0, 4.0}, {1.0, 1.1, 1.2, 3.2, 3.3}, {0.1, 0.8, 0.85, 0.9, 0.9}, {}, {}};
+    CHECK(compare::steepest_rise(kinked) == Approx(0.5));
+    CHECK(compare::steepest_rise(kinked, compare::OnsetBy::mean_square) == Approx(2.5).margin(0.01));
     CHECK_THROWS_AS(compare::steepest_rise(made_up(0.01, {0.0, 0.1})), std::invalid_argument);
 }
 
