@@ -26,7 +26,7 @@ def draw(study):
             continue
         gamma, square, error = (np.array([row[key] for row in rows]) for key in ("value", "mean_square", "mean_square_error"))
         points(axis, gamma, np.maximum(square, LOWEST), y_error=np.where(square > LOWEST, error, 0), marker=marker, color=colour, mfc="none",
-               ms=6, label=engine, ls="-" if engine == "continuum" else "none", lw=0.8)
+               ms=6, label=engine, linestyle="-" if engine == "continuum" else "none", lw=0.8)
         for values in zip([engine] * len(gamma), gamma, square, error):
             for name, value in zip(columns, values):
                 columns[name].append(value)

@@ -26,7 +26,7 @@ def draw(study):
             continue
         gamma, ratio = (np.array([row[key] for row in rows]) for key in ("value", "relative_mean_square"))
         error = ratio * np.array([row["mean_square_error"] / row["mean_square"] for row in rows])
-        points(axis, gamma, ratio, y_error=error, marker=marker, ms=6, color=colour, mfc="none", ls="-", lw=0.6, label=f"$f^*$ = {frequency}")
+        points(axis, gamma, ratio, y_error=error, marker=marker, ms=6, color=colour, mfc="none", linestyle="-", lw=0.6, label=f"$f^*$ = {frequency}")
         for values in zip([float(frequency)] * len(gamma), gamma, ratio, error):
             for name, value in zip(columns, values):
                 columns[name].append(value)
