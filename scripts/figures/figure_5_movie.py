@@ -16,7 +16,7 @@ from style import PLATE, plt, save
 
 NAME = "figure_5_movie"
 CAPTION = (
-    "Movie: MD (particles within six diameters along the line of sight, along the stripes, coloured by their horizontal velocity) and continuum (volume fraction) in step over two cycles at Gamma = 3.6, "
+    "Movie: MD (particles within six diameters along the line of sight, along the stripes, coloured by their horizontal velocity) and continuum (volume fraction) in step over two cycles, MD at Gamma = 2.2, the continuum at 4.0, where it has stripes, "
     "f* = 0.4174. The picture is the frame at ft = 0.75; the movie lies beside it as figure_5_movie.mp4 and shows the two cycles four times."
 )
 DEEP, TOP, SHOWN, RATE, ROUNDS = 6.0, 21.0, 0.75, 16, 4
@@ -38,12 +38,12 @@ def frame(time, md, continuum):
     figure.colorbar(grains, ax=upper, label=r"$u_x/\sqrt{g\sigma}$", extend="both", aspect=15)
     image = panel(lower, continuum.at(time), "nu")
     figure.colorbar(image, ax=lower, label=r"$\nu$", aspect=15)
-    for axis, words in ((upper, "MD"), (lower, "continuum")):
+    for axis, words, stripes in ((upper, "MD", md), (lower, "continuum", continuum)):
         axis.set_xlim(0, md.width)
         axis.set_ylim(-0.5, TOP)
         axis.set_aspect("equal")
         axis.set_ylabel(r"$z/\sigma$")
-        axis.set_title(f"{words}, $ft$ = {time:.3f}", loc="left", fontsize=10)
+        axis.set_title(rf"{words}, $\Gamma$ = {stripes.gamma:g}, $ft$ = {time:.3f}", loc="left", fontsize=10)
     lower.set_xlabel(r"$x/\sigma$")
     return figure
 

@@ -16,7 +16,7 @@ LOOKS = {
     "P": (r"$P/(m g/\sigma^2)$", "viridis", 0.0, 20.0),
     "dP/dx": (r"$\partial_x P/(m g/\sigma^3)$", "RdBu_r", -3.0, 3.0),
 }
-RUNS = (("MD", "md_stripes_high", "md"), ("continuum", "continuum_stripes_high", "continuum"))
+RUNS = (("MD", "md_stripes", "md"), ("continuum", "continuum_stripes", "continuum"))
 
 
 def both(study):
@@ -34,6 +34,10 @@ def panel(axis, piece, field):
     axis.set_xlim(piece.x[0], piece.x[-1])
     axis.set_aspect("equal")
     return image
+
+
+def title(label, stripes):
+    return rf"{label}, $\Gamma$ = {stripes.gamma:g}"
 
 
 def tell(axis, words):
@@ -66,7 +70,7 @@ def one_field(study, name, field, phases=(0.0, 0.25, 0.5, 0.75)):
                 image = panel(axis, piece, field)
                 tell(axis, f"$ft$ = {ft + later:g}")
                 parts.append((label, ft + later, piece, [field]))
-        axes[0, 2 * side].set_title(label, loc="left")
+        axes[0, 2 * side].set_title(title(label, stripes), loc="left")
     return finish(study, figure, axes, name, parts, [(image, axes, LOOKS[field][0])])
 
 
@@ -83,7 +87,7 @@ def two_fields(study, name, fields, phases=(0.875, 1.0, 1.125, 1.25)):
                 tell(axis, f"$ft$ = {ft:g}")
                 if pair == 0:
                     parts.append((label, ft, piece, list(fields)))
-            axes[0, 2 * pair + side].set_title(label, loc="left")
+            axes[0, 2 * pair + side].set_title(title(label, stripes), loc="left")
         bars.append((image, axes[:, 2 * pair:2 * pair + 2], LOOKS[field][0]))
     return finish(study, figure, axes, name, parts, bars, below=True)
 

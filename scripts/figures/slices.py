@@ -13,8 +13,8 @@ import numpy as np
 
 from run_folder import RunError
 
-BIN_X, BIN_Z = 1.0, 0.5      # of the MD
-FEWEST = 5                   # particles in a bin, for a temperature
+BIN_X, BIN_Z = 2.0, 1.0      # of the MD
+FEWEST = 20                  # particles in a bin, for a velocity, a temperature and what follows from them
 EMPTY = 1e-3                 # volume fraction below which the continuum is not drawn
 PACKING, RESTITUTION = 0.65, 0.7
 
@@ -128,6 +128,7 @@ class Stripes:
             square = sum(summed(c * c) / count - m * m for c, m in zip((u, v, w), mean)) / 3
         # A sample's variance is (N - 1)/N of the gas's.
         temperature = np.where(count >= FEWEST, square * count / np.maximum(count - 1, 1), np.nan)
+        mean = [np.where(count >= FEWEST, m, np.nan) for m in mean]
         nu = np.where(count > 0, nu, np.nan)
         return completed(edges[0], edges[1], plate, nu, mean[0], mean[2], temperature)
 

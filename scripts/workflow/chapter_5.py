@@ -15,7 +15,7 @@ DISPERSION_CONTINUUM = "data/expected/ch5_dispersion_continuum.csv"
 GROWTH = "data/expected/ch5_growth.csv"
 
 PUBLISHED = 2.2   # Gamma of the chapter
-WAVING = 3.6      # Gamma at which the continuum has stripes: its onset is 3.3 (docs/validation.md)
+WAVING = 4.0      # Gamma at which the continuum has stripes: on columns 1 wide its waves grow above 3.5 (docs/validation.md)
 FREQUENCIES = ("0.15", "0.2", "0.25", "0.3", "0.35", "0.4", "0.4174", "0.45", "0.5")
 
 # The open question: each choice that could make the published onset, by the settings that make it.
@@ -66,10 +66,9 @@ def runs():
 
     return {
         "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=100", *of_md]),
-        "md_stripes_high": run("md", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *of_md]),
-        "continuum_stripes_high": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *two_cycles, *wave,
-                                                             "sample.frame_cycles=2", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2",
-                                                             "continuum.spacing=0.2", "continuum.spacing_horizontal=1.0", "continuum.lid=25"]),
+        "continuum_stripes": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *two_cycles, *wave,
+                                                        "sample.frame_cycles=2", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2",
+                                                        "continuum.spacing=0.2", "continuum.spacing_horizontal=1.0", "continuum.lid=25"]),
         "md_large": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=150", "sample.map_bin=1", *large]),
         "continuum_large": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=80", "sample.map_bin=2", *large, *wave,
                                                       "initial.wave_x=6", "initial.wave_y=0", "continuum.spacing=0.25", "continuum.spacing_horizontal=2.0",
@@ -77,10 +76,10 @@ def runs():
     }
 
 
-SIDE_BY_SIDE = {"runs": ["md_stripes_high", "continuum_stripes_high"]}
+SIDE_BY_SIDE = {"runs": ["md_stripes", "continuum_stripes"]}
 # runs: what OUT/runs must hold; rows: (table, rows) to be filled first; long: hours, made only when asked for by name.
 FIGURES = {
-    "figure_5_1": {"runs": ["md_stripes", "md_stripes_high", "continuum_stripes_high"]},
+    "figure_5_1": SIDE_BY_SIDE,
     "figure_5_1_large": {"runs": ["md_large", "continuum_large"], "long": True},
     "figure_5_2": {"rows": [(DISPERSION_MD, dispersion_rows("md")), (DISPERSION_CONTINUUM, growth_by_wave_rows())]},
     "figure_5_3": {"runs": ["md_stripes"]},
