@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <stdexcept>
 
 #include "app/child_process.hpp"
 #include "app/exit_codes.hpp"
@@ -153,11 +154,15 @@ int run_compare(const CompareOptions& options) {
                 fmt::format("{} and {}: runs of different scenes; only seeds, start, length and [continuum] may differ",
                             (md_folder / "md.h5").string(), (continuum_folder / "continuum.h5").string()));
         }
-        const fields::PhaseMoments moments = moments_of(file, options.first_cycle);
-        if (md_moments) {
-            md_moments->append(moments);
-        } else {
-            md_moments = moments;
+        try {
+            const fields::PhaseMoments moments = moments_of(file, options.first_cycle);
+            if (md_moments) {
+                md_moments->append(moments);
+            } else {
+                md_moments = moments;
+            }
+        } catch (const std::invalid_argument& error) {
+            throw files::Damaged(fmt::format("{}: {}", (md_folder / "md.h5").string(), error.what()));
         }
         md_cost.add(file, own);
     }

@@ -183,5 +183,9 @@ TEST_CASE("runs with other seeds are averaged, runs of another layer refused") {
     const auto other = shaken("compare " + at("d") + " --md " + at("a") + " --md " + at("c") + h);
     CHECK(other.code == 65);
     CHECK_THAT(other.text, Contains("runs of different scenes"));
+    REQUIRE(ran("md", "long", " --set md.seed=3 --set sample.average=20"));
+    const auto uneven = shaken("compare " + at("d") + " --md " + at("a") + " --md " + at("long") + h);
+    CHECK(uneven.code == 65);
+    CHECK_THAT(uneven.text, Contains("long/md.h5: runs cannot be averaged"));
     CHECK_FALSE(std::filesystem::exists(folder / "d"));
 }
