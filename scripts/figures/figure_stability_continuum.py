@@ -92,7 +92,7 @@ def artificial(axis, rows):
     for d, height in zip((1, 2, 3), heights.values()):
         axis.plot([(0.5 / d - 2.0 / 3.0 * REST_FACTOR) / np.exp(-200.0 * THIN.fraction)] * 2, [height - 0.1, height + 0.1], **THEORY)
     axis.text(0.72, 0.36, "$1/(2d) - 2s/3$", fontsize=8, color=THEORY["color"])
-    ticks = {np.log10(s): f"tube, $s$ = {s}" for s in (0.02, 0.08, 0.16, 0.32, 0.7)} | {height: name for name, height in heights.items()}
+    ticks = {np.log10(s): f"tube, $s$ = {s}" for s in (0.02, 0.08, 0.16, 0.32, 0.5)} | {height: name for name, height in heights.items()}
     axis.set_yticks(list(ticks), list(ticks.values()), fontsize=8)
     axis.yaxis.set_minor_locator(plt.NullLocator())
     axis.set(xlim=(-0.04, 1.04), ylim=(-1.85, 1.05), xlabel=r"artificial dissipation, $C_\mathrm{AD}$")

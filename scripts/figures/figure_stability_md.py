@@ -19,19 +19,19 @@ def collapse(axis, rows):
     rows = of_map(rows, "collapse")
     depths = [row for row in rows if row["y"] not in REMEDIES]
     scatter(axis, depths, lambda row: np.log2(float(row["y"])))
-    height = {name: 5.1 + 0.45 * i for i, name in enumerate(REMEDIES)}
+    height = {name: 4.1 + 0.4 * i for i, name in enumerate(REMEDIES)}
     scatter(axis, [row for row in rows if row["y"] in REMEDIES], lambda row: height[row["y"]])
     # A column of N particles on a wall collapses in one dimension where e < tan^2(pi/4 (1 - 1/N)): Bernu and Mazighi 1990.
-    layers = np.geomspace(1.05, 25.0, 200)
+    layers = np.geomspace(1.05, 13.0, 200)
     axis.plot(np.tan(0.25 * np.pi * (1.0 - 1.0 / layers)) ** 2, np.log2(layers), **THEORY)
     # Free particles: N = ln(4/(1 - e))/(1 - e), McNamara and Young 1992.
-    e = np.linspace(0.05, 0.97, 200)
+    e = np.linspace(0.05, 0.79, 200)
     axis.plot(e, np.log2(np.log(4.0 / (1.0 - e)) / (1.0 - e)), color=THEORY["color"], lw=0.9, ls=":")
     axis.text(0.61, np.log2(5.0), "column of $N = H/\\sigma$ on a wall,\none dimension (dotted: free)", fontsize=8, color=THEORY["color"], va="top")
-    ticks = {np.log2(d): str(d) for d in (1, 2, 3, 4, 6, 9, 13, 18)} | {h: name for name, h in height.items()}
+    ticks = {np.log2(d): str(d) for d in (1, 2, 3, 4, 6, 9)} | {h: name for name, h in height.items()}
     axis.set_yticks(list(ticks), list(ticks.values()), fontsize=8)
     axis.yaxis.set_minor_locator(plt.NullLocator())
-    axis.set(xlim=(0.27, 1.03), ylim=(-0.4, 6.3), xlabel="restitution, $e$ (constant) or $e_0$", ylabel=r"depth $H/\sigma$; with remedy, $H = 9$")
+    axis.set(xlim=(0.27, 1.03), ylim=(-0.4, 5.3), xlabel="restitution, $e$ (constant) or $e_0$", ylabel=r"depth $H/\sigma$; with remedy, $H = 9$")
     default(axis, 0.9)
 
 

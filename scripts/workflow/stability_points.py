@@ -46,7 +46,7 @@ GRAINS = Run("md", "collapse_stall", ("sample.settle=0", "sample.average=4", "sa
 CRYSTAL = Run("md", "uniform_elastic", ("particles.number=256", "sample.settle=1", "sample.duration=2", "sample.interval=0.25"))
 
 FTCS = ("continuum.scheme=ftcs",)
-FTCS_LAYER = LAYER.but(*FTCS, "continuum.spacing=0.2", "sample.average=1")  # coarser, it does not survive the impact
+FTCS_LAYER = LAYER.but(*FTCS, "continuum.spacing=0.2", "sample.average=1")  # coarser, it does not survive a second impact
 FINE = ("continuum.scheme=weno5", "continuum.flux=hll", "continuum.cfl=0.5")
 SCHEMES = {
     "muscl hllc": ("continuum.scheme=muscl", "continuum.flux=hllc"),
@@ -77,7 +77,7 @@ def courant():
 
 def diffusion():
     for x in (0.04, 0.08, 0.16, 0.24, 0.32, 0.4, 0.5, 0.6, 0.7, 0.8, 1.0, 2.0):
-        for y, base in (("layer, dz = 0.2", FTCS_LAYER), ("layer, dz = 0.4", FTCS_LAYER.but("continuum.spacing=0.4")),
+        for y, base in (("layer, dz = 0.2", FTCS_LAYER), ("layer, dz = 0.4", FTCS_LAYER.but("continuum.spacing=0.4", "sample.average=2")),
                         ("strip, dz = 0.4", STRIP), ("tube, dz = 0.1", CLOSED)):
             run = base.but(*FTCS, f"continuum.diffusion_factor={x}")
             reference = held(run) if y.startswith("layer") else base.but(*FINE, DENSE)
@@ -113,13 +113,15 @@ def volume_fraction():
 def restitution():
     for x in (0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.8, 0.9, 0.95, 1.0):
         layer = LAYER.but(f"particles.restitution={x}")
-        for y in (DEFAULT, WENO):
-            yield Point("restitution", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer))
-        source = FTCS_LAYER.but(f"particles.restitution={x}")
-        yield Point("restitution", x, "ftcs, layer", source, held(source))
-        yield Point("restitution", x, f"{DEFAULT}, cooling", COOLING.but(f"particles.restitution={x}"))
         law = LAYER.but(f'particles.restitution={{law="velocity", e0={x}}}')
-        yield Point("restitution", x, f"{DEFAULT}, e(v)", law, held(law))
+        source = FTCS_LAYER.but(f"particles.restitution={x}")
+        affordable = x >= 0.6  # below, the layer is so near packing that the finer grid is past its budget
+        for y in (DEFAULT, WENO):
+            yield Point("restitution", x, f"{y}, layer", layer.but(*SCHEMES[y]), held(layer) if affordable else None)
+        if affordable or x == 0.3:
+            yield Point("restitution", x, "ftcs, layer", source, held(source) if affordable else None)
+        yield Point("restitution", x, f"{DEFAULT}, cooling", COOLING.but(f"particles.restitution={x}"))
+        yield Point("restitution", x, f"{DEFAULT}, e(v)", law, held(law) if affordable else None)
 
 
 ACCELERATIONS = (0.5, 0.9, 1.1, 1.5, 2.0, 3.0, 4.0, 5.0, 6.5, 8.0, 10.0)
@@ -173,8 +175,8 @@ def artificial_dissipation():
 
 def collapse():
     area = 4.4 * 4.6
-    for x in (0.3, 0.4, 0.45, 0.5, 0.55, 0.6, 0.65, 0.7, 0.75, 0.8, 0.9, 1.0):
-        for depth in (1, 2, 3, 4, 6, 9, 13):
+    for x in (0.3, 0.4, 0.5, 0.55, 0.6, 0.65, 0.7, 0.8, 0.9, 1.0):
+        for depth in (1, 2, 3, 4, 6, 9):
             yield Point("collapse", x, depth, GRAINS.but(f"particles.restitution={x}", f"particles.number={round(depth / 0.9 * area)}"))
         for remedy, value in (("elastic_below", "particles.collapse_speed=0.1"), ("contact_time", "particles.collapse_time=0.001")):
             yield Point("collapse", x, remedy, GRAINS.but(f"particles.restitution={x}", f"particles.collapse={remedy}", value))
@@ -185,8 +187,7 @@ def grains_acceleration():
     for x in ACCELERATIONS:
         shaken = GRAINS.but(f"plate.acceleration={x}", "plate.frequency=0.2", "box.ceiling=200")
         for y, change in (("e = 0.9", ("particles.restitution=0.9",)), ("e(v), e0 = 0.9", ('particles.restitution={law="velocity", e0=0.9}',)),
-                          ("e(v), e0 = 0.5", ('particles.restitution={law="velocity", e0=0.5}',)),
-                          ("contact_time, e = 0.9", ("particles.restitution=0.9", "particles.collapse=contact_time", "particles.collapse_time=0.001"))):
+                          ("e(v), e0 = 0.5", ('particles.restitution={law="velocity", e0=0.5}',))):
             run = shaken.but(*change)
             fluid = dataclasses.replace(run, engine="continuum").but("continuum.spacing=0.4", "sample.frames=0")
             yield Point("grains_acceleration", x, y, run, fluid)
