@@ -2,6 +2,8 @@
 """Work and precision (b): statistical error of the MD against CPU seconds, and against collisions, over cycles, seeds and the width of the box."""
 import sys
 
+from matplotlib.ticker import NullFormatter
+
 from style import DENSITY, LENGTH, TEMPERATURE, plt, save
 from work_precision_chart import column, columns_of, curve, guide, label_values, main, select, sign
 
@@ -20,6 +22,7 @@ CAPTION = (
 def panel(axis, rows, quantity, x, with_labels):
     axis.set_xscale("log")
     axis.set_yscale("log")
+    axis.xaxis.set_minor_formatter(NullFormatter())
     shown = []
     for knob, (marker, line, colour, _) in KNOBS.items():
         one = select(rows, quantity=quantity, knob=knob)
