@@ -13,6 +13,7 @@ PANELS = (("ch4_shock", "z_cm", r"layer (ch4_shock): $z_{cm}(ft)$"), ("ch4_shock
 AXES = (("cpu_seconds", "CPU seconds of a run"), ("work", "cell updates of a run"))
 # A run costs h^-2 in one dimension when steps follow the spacing, so an error h^p falls with the power -p/2 of the cost.
 GUIDES = {"ch4_shock": ((-0.5, "$h^1$"), (-1.0, "$h^2$")), "riemann": ((-0.5, "$h^1$"),), "stripes": ((-1.0, r"$\Delta z^2$"), (-2.0, r"$\Delta x^2$"))}
+LEAST_RANGE = 50  # of the errors on an axis, so that it has two powers of ten
 CAPTION = (
     "Error of the discretisation, per cent (rms over the cycle; T over the layer; the wave over its own size), against an exact solution (Riemann) or the limit of two schemes, "
     "whose difference is the grey band: below it nothing is known. Full lines: dz, dashed: dx, dotted: CFL number. Rings: the scene's settings. Crosses: failures."
@@ -25,7 +26,9 @@ def ends(axis, rows, x):
     axis.set_xscale("log")
     axis.set_yscale("log")
     axis.set_xlim(min(c for c, _ in known) / 1.6, max(c for c, _ in known) * 2.5)
-    axis.set_ylim(min(e for _, e in known) / 2, max(e for _, e in known) * 2)
+    least, most = min(e for _, e in known), max(e for _, e in known)
+    room = max(2.0, (LEAST_RANGE * least / most) ** 0.5)
+    axis.set_ylim(least / room, most * room)
 
 
 def panel(axis, rows, study, quantity, x, with_labels):

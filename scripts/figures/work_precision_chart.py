@@ -42,7 +42,7 @@ def label_values(axis, rows, x, knob, **look):
     """The knob's value beside its first, default and last point."""
     alive = [r for r in rows if r["end"] == "completed" and np.isfinite(r[x]) and r["error_percent"] > 0]
     for r in alive:
-        if r in (alive[0], alive[-1]) or (r["default"] and knob != "cfl "):
+        if r in (alive[0], alive[-1]) or (r["default"] and "z" in knob):
             axis.annotate(f"{knob}{r['value']:g}", (r[x], r["error_percent"]), textcoords="offset points", fontsize=6.5, **look)
 
 
