@@ -69,9 +69,9 @@ def make(study, fresh=False):
 
 def cost_of(repeats, whole, wanted=None):
     """Median, tenth and ninetieth percentile of CPU seconds. whole: the work of the timed run, in what the program counts of its progress (steps of the
-    continuum, collisions of the MD); wanted: the work to be paid for, if not all of it."""
-    if not repeats or not whole:
+    continuum, collisions of the MD), nothing if it failed: the seconds are then those until it did; wanted: the work to be paid for, if not all of it."""
+    if not repeats:
         return {}
-    seconds = [cpu * (wanted or whole) / (done or whole) for cpu, done in repeats]
+    seconds = [cpu * (wanted or whole) / (done or whole) if whole else cpu for cpu, done in repeats]
     tenths = statistics.quantiles(seconds, n=10, method="inclusive") if len(seconds) > 1 else seconds * 9
     return {"cpu_seconds": statistics.median(seconds), "cpu_low": tenths[0], "cpu_high": tenths[-1]}
