@@ -32,7 +32,7 @@ def curve(axis, rows, x, **look):
         axis.errorbar(cost, error, xerr=sideways, yerr=[np.minimum(upward, 0.9 * error), upward], elinewidth=0.7, **look)
     for r in rows:
         if r["end"] != "completed" and np.isfinite(r[x]):
-            axis.plot(r[x], r["error_percent"] if np.isfinite(r["error_percent"]) else axis.get_ylim()[1], "x", color=look.get("color"), ms=8, mew=2)
+            axis.plot(r[x], r["error_percent"] if np.isfinite(r["error_percent"]) else 0.7 * axis.get_ylim()[1], "x", color=look.get("color"), ms=8, mew=2)
     for r in alive:
         if r["default"]:
             axis.plot(r[x], r["error_percent"], "o", ms=11, mfc="none", mec="black", mew=1.3, zorder=5)

@@ -53,6 +53,9 @@ def make(root, out, figures, jobs, dry_run, command):
         print(f"{shaken} is not there; make it with: scripts/build (or name another in SHAKEN)", file=sys.stderr)
         return 66
     out = (root / out).resolve()
+    if figures and not (out / "work_precision.csv").is_file() and not any(FIGURES[name][0] for name in figures):
+        print(f"{out / 'work_precision.csv'} is not there: {', '.join(figures)} draws what the others leave; make them with: scripts/reproduce work-precision", file=sys.stderr)
+        return 66
     study = Study(root, out, out / git_hash(shaken), shaken, jobs)
     retime = "figure_timings" in figures
     wanted = {name: FIGURES[name] for name in FIGURES if not figures or name in figures or (retime and is_made(out, name))}
