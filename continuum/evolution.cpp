@@ -248,6 +248,11 @@ Ledger Evolution::ledger() const {
     return sum;
 }
 
+Drift Evolution::drift() const {
+    const Ledger books = ledger();
+    return {0.0, books.dual_energy_gain / (books.initial_energy + books.collisional_loss)};
+}
+
 void Evolution::save(files::CheckpointWriter& out) const {
     out.put("continuum/cells", std::vector<std::int64_t>{grid().nx, grid().ny, grid().nz});
     out.put("continuum/density", flow().density);

@@ -55,6 +55,9 @@ class Evolution : public Method {
     double mass_share_at_temperature_floor() const override;
     double floor_temperature() const override { return constants_.floor_temperature; }
     Ledger ledger() const override;
+    /// Mass is kept; energy is made only where the internal energy is trusted over the total, or a cell's heat is kept
+    /// from falling by more than half.
+    Drift drift() const override;
     std::int64_t steps() const override { return steps_; }
     std::int64_t repeated_steps() const { return repeated_; }
     std::int64_t relaxations() const {

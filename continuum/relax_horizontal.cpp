@@ -6,8 +6,10 @@
 // Explicit diffusion carries at most n dx^2/(4 dt) (two horizontal dimensions, /2 with one) through a face. Relaxation
 // is cut into as many equal pieces as that asks for wherever the mean free path is below longest_free_path; in thinner
 // gas, where these equations say nothing, the coefficients are capped instead. The mixed terms need no tighter bound
-// as long as each piece also has its implicit diffusion along z: with a = D dt/dx^2 and b = D dt/dz^2 a piece changes a
-// disturbance by (1 - a + 2 sqrt(a b))/(1 + b) at most, and that is below one.
+// there as long as each piece also has its implicit diffusion along z: with a = D dt/dx^2 and b = D dt/dz^2 a piece
+// changes a disturbance by (1 - a + 2 sqrt(a b))/(1 + b) at most, and that is below one. Where coefficients are capped
+// b is no longer that of the same D, and the mixed ones are held below n dx dz/(4 dt): without it thin gas above a
+// falling crest was thrown about and took heat from nowhere.
 #include <algorithm>
 #include <cmath>
 
@@ -50,6 +52,7 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
     double* __restrict normal = out.normal, * __restrict lateral = out.lateral, * __restrict vertical = out.vertical, * __restrict energy = out.energy;
     const double across = 1.0 / n.width, along = 0.25 / n.lateral_width, upward = 0.25 / dz;
     const double cap = n.share * n.width * n.width / dt;
+    const double mixed_cap = n.share * n.width * dz / dt;
     const double heat_cap = 0.15 * n.width / dt;
 #pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
@@ -60,6 +63,9 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         const double mean_bulk = left * n.left.bulk[k] + right * n.right.bulk[k];
         const double shear = smaller(mean_shear, most), axial = smaller(mean_bulk + (4.0 / 3.0) * mean_shear, most);
         const double bulk = smaller(mean_bulk, most);
+        const double most_mixed =
+            mean_bulk + (4.0 / 3.0) * mean_shear <= most ? most : smaller(most, mixed_cap * thinner);
+        const double mixed_shear = smaller(mean_shear, most_mixed), mixed_bulk = smaller(mean_bulk, most_mixed);
         const double conductivity =
             smaller(left * n.left.conductivity[k] + right * n.right.conductivity[k], 1.5 * most);
 
@@ -83,10 +89,10 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
                                       (across * (n.right.density[k] - n.left.density[k]));
         const double density_heat = smaller(larger(density_wanted, -heat_limit), heat_limit);
 
-        const double stress_normal =
-            axial * normal_across + (bulk - (2.0 / 3.0) * shear) * (lateral_along + vertical_upward);
+        const double stress_normal = axial * normal_across + (bulk - (2.0 / 3.0) * shear) * lateral_along +
+                                     (mixed_bulk - (2.0 / 3.0) * mixed_shear) * vertical_upward;
         const double stress_lateral = shear * lateral_across + shear * normal_along;
-        const double stress_vertical = shear * vertical_across + shear * normal_upward;
+        const double stress_vertical = shear * vertical_across + mixed_shear * normal_upward;
         normal[k] = stress_normal;
         lateral[k] = stress_lateral;
         vertical[k] = stress_vertical;
@@ -193,7 +199,11 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
                        to_west = fields(ix - 1, iy, true), to_north = fields(ix, iy + 1, true),
                        to_south = fields(ix, iy - 1, true);
     const double half_dx = 0.5 / grid().dx, half_dy = 0.5 / grid().dy;
-    const double cap = share * narrowest_square() / dt;
+    const double cap = share * narrowest_square() / dt, mixed_cap = share * std::sqrt(narrowest_square()) * dz / dt;
+    const auto most_mixed = [&](double density, double bulk, double shear) {
+        const double most = cap * density;
+        return bulk + (4.0 / 3.0) * shear <= most ? most : smaller(most, mixed_cap * density);
+    };
     double* __restrict divergence = work.row(20), * __restrict slope_x = work.row(21), * __restrict slope_y = work.row(22);
 #pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
@@ -204,10 +214,11 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
     }
     // Through the face between cells below and k of this column.
     const auto stress_between = [&](std::int64_t below, std::int64_t k) {
-        const double most = cap * smaller(here.density[below], here.density[k]);
         const double speed_below = 0.5 * here.thermal_speed[below], speed = 0.5 * here.thermal_speed[k];
-        const double shear = smaller(speed_below * here.shear[below] + speed * here.shear[k], most);
-        const double bulk = smaller(speed_below * here.bulk[below] + speed * here.bulk[k], most);
+        const double mean_shear = speed_below * here.shear[below] + speed * here.shear[k];
+        const double mean_bulk = speed_below * here.bulk[below] + speed * here.bulk[k];
+        const double most = most_mixed(smaller(here.density[below], here.density[k]), mean_bulk, mean_shear);
+        const double shear = smaller(mean_shear, most), bulk = smaller(mean_bulk, most);
         const double along_z = 0.5 * (bulk - (2.0 / 3.0) * shear) * (divergence[below] + divergence[k]);
         const double along_x = 0.5 * shear * (slope_x[below] + slope_x[k]);
         const double along_y = 0.5 * shear * (slope_y[below] + slope_y[k]);
@@ -227,10 +238,10 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
     } else {  // no shear and no work, the normal stress of the cell beside the end
         for (const std::int64_t f : {std::int64_t{0}, nz}) {
             const std::int64_t cell = f == 0 ? 0 : nz - 1;
-            const double most = cap * here.density[cell];
             const double speed = here.thermal_speed[cell];
-            const double coefficient =
-                smaller(speed * here.bulk[cell], most) - (2.0 / 3.0) * smaller(speed * here.shear[cell], most);
+            const double bulk = speed * here.bulk[cell], shear = speed * here.shear[cell];
+            const double most = most_mixed(here.density[cell], bulk, shear);
+            const double coefficient = smaller(bulk, most) - (2.0 / 3.0) * smaller(shear, most);
             face.normal[f] = face.lateral[f] = face.energy[f] = 0.0;
             face.vertical[f] = coefficient * divergence[cell];
         }
