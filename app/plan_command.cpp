@@ -55,7 +55,7 @@ std::string text_of(const Proposal& p) {
     line("", fmt::format("grid and step {}, lid {}", per_cent(c.grid), per_cent(c.lid_error)),
          fmt::format("statistics {}, known to {:.0f} %", per_cent(m.statistics), 100.0 * m.uncertainty));
     line("", fmt::format("start {}, scatter {}", per_cent(c.start), per_cent(c.scatter)),
-         fmt::format("start {}", per_cent(m.start)));
+         fmt::format("start {}, cell {}", per_cent(m.start), per_cent(m.cell)));
     if (c.dimension > 1) line("", fmt::format("columns {}", per_cent(c.columns)), "");
     text +=
         "\nErrors are of z_cm(ft), rms over twenty phases; how far the equations are from the grains is another "
@@ -101,7 +101,8 @@ nlohmann::ordered_json json_of(const Proposal& p, const std::filesystem::path& s
               {"error", m.error()},
               {"error_statistics", m.statistics},
               {"error_statistics_uncertainty", m.uncertainty},
-              {"error_start", m.start}}},
+              {"error_start", m.start},
+              {"error_cell", m.cell}}},
             {"settings", p.settings},
             {"reasons", reasons}};
 }

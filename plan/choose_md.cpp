@@ -12,39 +12,41 @@ namespace {
 
 constexpr std::int64_t block_cycles = 10;  // the engines keep ten blocks of cycles for their standard errors
 constexpr double share_of_settling = 0.2;  // of a seed's cycles, at most, before another seed is worth its start
-constexpr double bytes_a_bin = 560;        // ten blocks of seven moments (fields/phase_moments.hpp)
-constexpr double largest_trial = 20000;    // particles
+constexpr double share_of_cell = 0.4, share_of_statistics = 0.85;
+constexpr double bytes_a_bin = 560;      // ten blocks of seven moments (fields/phase_moments.hpp)
+constexpr double largest_trial = 20000;  // particles
 
 }  // namespace
 
-double MdPlan::error() const { return std::hypot(statistics, start); }
+double MdPlan::error() const { return std::hypot(statistics, std::hypot(start, cell)); }
 
 MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     const scene::Scene& given = trials.scene();
     MdPlan plan;
     plan.settle = continuum.settle;
-    plan.particles = given.number_of_particles;
-    plan.box_x = given.box.x;
-    plan.box_y = given.box.y;
-    if (continuum.dimension == 1) {
-        const FlatBox flat = flat_box(given);
-        if (flat.side > 0.0) {
-            plan.particles = flat.number;
-            plan.box_x = plan.box_y = flat.side;
-        }
-    }
+    const bool flat = continuum.dimension == 1;
+    const FlatBox whole{given.number_of_particles, given.box.x, given.box.y};
+    const FlatBox small = flat ? flat_box(given) : whole;
+    const bool small_enough = flat && flat_width_error <= share_of_cell * error;
+    const FlatBox chosen = small_enough ? small : whole;
+    plan.particles = chosen.number;
+    plan.box_x = chosen.x;
+    plan.box_y = chosen.y;
+    plan.cell = chosen.number < whole.number ? flat_width_error : 0.0;
+
+    // The trial's cell: a flat layer's spread falls as one over the root of the area, its time grows with the
+    // particles.
     scene::Scene trial = planned_scene(given, continuum);
-    const double share = std::min(1.0, largest_trial / static_cast<double>(plan.particles));
-    trial.number_of_particles = std::llround(share * static_cast<double>(plan.particles));
-    const double shrunk =
-        std::sqrt(static_cast<double>(trial.number_of_particles) / static_cast<double>(plan.particles));
-    trial.box.x = plan.box_x * shrunk;
-    trial.box.y = plan.box_y * shrunk;
+    const double shrink = std::sqrt(std::min(1.0, largest_trial / static_cast<double>(small.number)));
+    trial.number_of_particles = std::llround(shrink * shrink * static_cast<double>(small.number));
+    trial.box.x = small.x * shrink;
+    trial.box.y = small.y * shrink;
     const Grains& grains = trials.grains(trial, std::clamp<std::int64_t>(continuum.settle, 4, 20));
+    const double share = static_cast<double>(trial.number_of_particles) / static_cast<double>(chosen.number);
 
     const Spread found = spread(grains.heights, static_cast<std::size_t>(grains.settled));
-    const double one_cycle = found.value * shrunk;
-    const double wanted = std::pow(one_cycle / (0.9 * error), 2);
+    const double one_cycle = found.value * std::sqrt(share);
+    const double wanted = std::pow(one_cycle / (share_of_statistics * error), 2);
     const auto threads = static_cast<double>(std::max(1U, std::thread::hardware_concurrency()));
     const double worth = std::floor(wanted * share_of_settling / static_cast<double>(plan.settle));
     plan.seeds = static_cast<std::int64_t>(std::clamp(worth, 1.0, threads));
@@ -54,7 +56,7 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     plan.uncertainty = found.uncertainty;
     plan.start = continuum.start * static_cast<double>(std::min(continuum.average, plan.average)) /
                  static_cast<double>(plan.average);
-    plan.seconds = grains.seconds_per_cycle / (shrunk * shrunk) * static_cast<double>(plan.settle + plan.average) *
+    plan.seconds = grains.seconds_per_cycle / share * static_cast<double>(plan.settle + plan.average) *
                    static_cast<double>(plan.seeds);
     const double bins = continuum.lid / given.sample.bin;
     plan.bytes = grains.bytes_per_particle * static_cast<double>(plan.particles) +

@@ -96,13 +96,16 @@ std::vector<Reason> reasons_of(Trials& trials, const Proposal& p) {
     say("lid", fmt::format("{:g}", c.lid),
         fmt::format("z_cm differs by {} from that under a lid at 400", per_cent(c.lid_error)));
     say("rows", fmt::format("{:.0f}", c.lid / c.spacing), "all up to the lid: gas reaches it, so none can be left out");
-    if (c.dimension == 1 && p.md.box_x < scene.box.x)
+    if (p.md.cell > 0.0)
         say("box", fmt::format("{:.4g} x {:.4g}", p.md.box_x, p.md.box_y),
-            fmt::format("a flat layer of MD needs no wider cell: {} particles in place of {}", p.md.particles,
-                        scene.number_of_particles));
+            fmt::format("{} particles in place of {}: a flat layer's z_cm differs by {} in so small a cell",
+                        p.md.particles, scene.number_of_particles, per_cent(p.md.cell)));
     else
         say("box", box,
-            c.dimension == 1 ? "the scene's, already as small as a flat layer needs" : "the scene's, for its waves");
+            p.md.particles <= flat_box(scene).number && c.dimension == 1 ? "the scene's, small enough"
+            : c.dimension > 1                                            ? "the scene's, for its waves"
+                              : fmt::format("the scene's: z_cm in a cell of {:g} would differ by {}", flat_width,
+                                            per_cent(flat_width_error)));
     say("spins", scene.particles.friction.law == scene::FrictionLaw::none ? "none" : "followed",
         scene.particles.friction.law == scene::FrictionLaw::none ? "without friction nothing turns"
                                                                  : "the scene has friction");

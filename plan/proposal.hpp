@@ -37,6 +37,7 @@ struct MdPlan {
     double statistics = 0.0;   // standard error of the mean over all seeds
     double uncertainty = 0.0;  // of it, relative: the trial's cycles are few
     double start = 0.0;
+    double cell = 0.0;  // of a cell smaller than the scene's
     double error() const;
 };
 

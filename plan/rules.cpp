@@ -8,7 +8,9 @@ namespace shaken::plan {
 
 namespace {
 
-constexpr double shortest_of_formula = 0.85;
+// Strips of ch5_stripes, 15 to 24 long: 0.11 +- 0.05 sigma at half the plate's frequency at 0.62 of the formula's wave,
+// 0.49 +- 0.08 at 0.72 and above (docs/choosing.md).
+constexpr double shortest_of_formula = 0.6;
 
 double needed_side(const scene::Scene& scene) { return shortest_of_formula * pattern_wavelength(scene); }
 
@@ -27,9 +29,11 @@ int needed_dimension(const scene::Scene& scene) {
 }
 
 FlatBox flat_box(const scene::Scene& scene) {
-    if (scene.box.x * scene.box.y <= flat_width * flat_width) return {scene.number_of_particles, 0.0};
+    if (scene.box.x * scene.box.y <= flat_width * flat_width)
+        return {scene.number_of_particles, scene.box.x, scene.box.y};
     const auto number = std::llround(scene.number_per_area() * flat_width * flat_width);
-    return {number, std::sqrt(static_cast<double>(number) / scene.number_per_area())};
+    const double side = std::sqrt(static_cast<double>(number) / scene.number_per_area());
+    return {number, side, side};
 }
 
 }  // namespace shaken::plan

@@ -13,7 +13,7 @@ namespace shaken::plan {
 /// figure 5.2), in sigma.
 double pattern_wavelength(const scene::Scene& scene);
 
-/// Whether one wave fits along the longer side of the box. Waves shorter than the formula's by a tenth or so live too.
+/// Whether a wave fits along the longer side of the box; waves down to 0.6 of the formula's live too.
 bool holds_pattern(const scene::Scene& scene);
 
 /// 1 where nothing varies across columns, 2 where waves fit along one side alone, else 3.
@@ -21,15 +21,17 @@ int needed_dimension(const scene::Scene& scene);
 
 struct FlatBox {
     std::int64_t number = 0;  // particles
-    double side = 0.0;        // x and y, sigma
+    double x = 0.0, y = 0.0;  // sigma
 };
 
-/// The smallest square cell that shows a flat layer's z_cm without the cell in it, with as many particles an area as
-/// the scene has; the scene's own cell where that is smaller.
+/// A square cell of flat_width with as many particles an area as the scene has; the scene's own where that is smaller.
 FlatBox flat_box(const scene::Scene& scene);
 
 /// Width of that cell, sigma; not whole, so that no row of touching particles fits (docs/validation.md).
 inline constexpr double flat_width = 10.5;
+
+/// By how much z_cm differs in it from that in a cell of 20 x 20 (ch4_shock; docs/choosing.md).
+inline constexpr double flat_width_error = 0.0033;
 
 /// Cells a wavelength across columns, for a fading rate within 3 per cent: (k dx)^2/12 (docs/numerics.md).
 inline constexpr double cells_a_wavelength = 10.5;

@@ -83,7 +83,7 @@ Table::Table(const std::vector<Row>& rows) {
     std::map<std::string, std::vector<std::pair<double, double>>> errors, costs;
     std::map<std::string, double> least;
     for (const Row& row : rows) {
-        if (row.study != "ch4_shock" || row.engine != "continuum" || row.knob != "spacing" || row.quantity != "z_cm")
+        if (row.study != "ch4_shock" || row.engine != "continuum" || row.knob != "dz" || row.quantity != "z_cm")
             continue;
         if (!(row.error > 0.0 && row.value > 0.0 && row.cpu_seconds > 0.0)) continue;
         errors[row.scheme].emplace_back(row.value, row.error);

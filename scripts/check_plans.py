@@ -37,16 +37,17 @@ SCENES = {
     "shock_seconds": (CH4, (), "--seconds 5"),
     "depth_4.5": (CH4, ("particles.number=1969",), "--error 1%"),
     "depth_13.5": (CH4, ("particles.number=5906",), "--error 0.5%"),
-    "velocity_law": (CH4, (VELOCITY,), "--seconds 8"),
+    "velocity_law": (CH4, (VELOCITY,), "--seconds 5"),
     "e_0.75": (CH4, ("particles.restitution=0.75",), "--error 0.4%"),
     "e_0.99": (CH4, ("particles.restitution=0.99",), "--error 2%"),
     "gamma_2": (CH4, ("plate.acceleration=2",), "--error 0.3%"),
     "gamma_6": (CH4, ("plate.acceleration=6",), "--error 2%"),
-    "shallow_quick": (CH4, ("particles.number=1312", "plate.frequency=0.15"), "--seconds 5"),
+    "shallow": (CH4, ("particles.number=1312",), "--seconds 4"),
+    "faster": (CH4, ("plate.frequency=0.12",), "--error 1%"),
     "stripes_small": (CH5, SMALL, "--error 0.5%"),
     "friction_small": (CH5, (*SMALL, WALTON), "--error 1%"),
     "strip": (GROWTH, (), "--error 1%"),
-    "square": (CH5, ("box.x=24", "box.y=24", "particles.number=3456", "sample.settle=6", "sample.phases=20"), "--error 2%"),
+    "square": (CH5, ("box.x=20", "box.y=20", "particles.number=2400", "sample.settle=6", "sample.phases=20"), "--error 2%"),
 }
 
 

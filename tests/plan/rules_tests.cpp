@@ -34,8 +34,8 @@ TEST_CASE("a flat layer's cell keeps the particles an area, and never grows") {
     const scene::Scene wide = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml");
     const plan::FlatBox flat = plan::flat_box(wide);
     // One particle in a thousand at most, which the side makes up for to round-off.
-    CHECK(flat.side == Approx(plan::flat_width).epsilon(1e-3));
-    CHECK(static_cast<double>(flat.number) / (flat.side * flat.side) == Approx(wide.number_per_area()).epsilon(1e-14));
+    CHECK(flat.x == Approx(plan::flat_width).epsilon(1e-3));
+    CHECK(static_cast<double>(flat.number) / (flat.x * flat.y) == Approx(wide.number_per_area()).epsilon(1e-14));
     const scene::Scene narrow = stripes({"box.x=8", "box.y=8", "particles.number=384"});
     CHECK(plan::flat_box(narrow).number == 384);
 }

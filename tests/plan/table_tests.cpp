@@ -16,8 +16,8 @@ constexpr const char* header =
 std::string rows_of(const char* scheme, double factor, double order, double seconds) {
     std::string rows;
     for (const double dz : {0.8, 0.4, 0.2})
-        rows += fmt::format("ch4_shock,continuum,{},spacing,{},z_cm,{},0,{},,,,,0,completes,\"shaken, quoted\"\n",
-                            scheme, dz, factor * std::pow(dz, order), seconds / (dz * dz));
+        rows += fmt::format("ch4_shock,continuum,{},dz,{},z_cm,{},0,{},,,,,0,completed,\"shaken, quoted\"\n", scheme,
+                            dz, factor * std::pow(dz, order), seconds / (dz * dz));
     return rows;
 }
 
