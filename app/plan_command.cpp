@@ -30,8 +30,9 @@ std::string wish_of(const Proposal& p) {
 
 std::string commands_of(const Proposal& p, const std::filesystem::path& scene) {
     const std::string md =
-        p.md.seeds == 1 ? fmt::format("shaken md {} --out out/md", scene.string())
-                        : fmt::format("scripts/sweep {} --vary md.seed=1:{} --out out/md", scene.string(), p.md.seeds);
+        p.md.seeds == 1
+            ? fmt::format("shaken md {} --out out/md", scene.string())
+            : fmt::format("scripts/sweep {} --engine md --vary md.seed=1:{} --out out/md", scene.string(), p.md.seeds);
     return fmt::format("{}\nshaken continuum {} --set sample.average={} --out out/continuum\n", md, scene.string(),
                        p.continuum.average);
 }

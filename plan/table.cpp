@@ -30,22 +30,39 @@ std::vector<std::string> fields_of(std::string_view line) {
     return fields;
 }
 
-PowerLaw fit(const std::vector<std::pair<double, double>>& points) {
+PowerLaw fit(const std::vector<GridPoint>& points) {
     const auto n = static_cast<double>(points.size());
     double x = 0.0, y = 0.0, xx = 0.0, xy = 0.0;
-    for (const auto& [a, b] : points) {
-        x += std::log(a);
-        y += std::log(b);
-        xx += std::log(a) * std::log(a);
-        xy += std::log(a) * std::log(b);
+    for (const GridPoint& point : points) {
+        const double a = std::log(point.spacing), b = std::log(point.error);
+        x += a;
+        y += b;
+        xx += a * a;
+        xy += a * b;
     }
     PowerLaw law;
     law.order = (n * xy - x * y) / (n * xx - x * x);
     law.factor = std::exp((y - law.order * x) / n);
     double square = 0.0;
-    for (const auto& [a, b] : points) square += std::pow(std::log(b / (law.factor * std::pow(a, law.order))), 2);
+    for (const GridPoint& point : points)
+        square += std::pow(std::log(point.error / (law.factor * std::pow(point.spacing, law.order))), 2);
     law.residual = std::sqrt(square / n);
     return law;
+}
+
+/// Errors near the least one say nothing of the order any more.
+constexpr double well_above = 5.0;
+
+Scheme condense(const std::string& name, std::vector<GridPoint> points) {
+    std::sort(points.begin(), points.end(),
+              [](const GridPoint& a, const GridPoint& b) { return a.spacing > b.spacing; });
+    Scheme scheme{name, points, {}, points.front().error};
+    for (const GridPoint& point : points) scheme.least_error = std::min(scheme.least_error, point.error);
+    std::vector<GridPoint> falling;
+    for (const GridPoint& point : points)
+        if (point.error > well_above * scheme.least_error) falling.push_back(point);
+    scheme.error = fit(falling.size() >= 2 ? falling : points);
+    return scheme;
 }
 
 }  // namespace
@@ -75,36 +92,35 @@ std::vector<Row> parse_table(std::string_view csv) {
     return rows;
 }
 
-double Scheme::seconds_for(double wished) const {
-    return cost.factor * std::pow(std::pow(wished / error.factor, 1.0 / error.order), cost.order);
+std::optional<double> Scheme::seconds_for(double wished) const {
+    if (points.front().error <= wished) return points.front().cpu_seconds;
+    for (std::size_t k = 0; k + 1 < points.size(); ++k) {
+        const GridPoint &coarse = points[k], &fine = points[k + 1];
+        if (fine.error > wished) continue;
+        const double share = std::log(wished / coarse.error) / std::log(fine.error / coarse.error);
+        return coarse.cpu_seconds * std::pow(fine.cpu_seconds / coarse.cpu_seconds, share);
+    }
+    return std::nullopt;
 }
 
 Table::Table(const std::vector<Row>& rows) {
-    std::map<std::string, std::vector<std::pair<double, double>>> errors, costs;
-    std::map<std::string, double> least;
+    std::map<std::string, std::vector<GridPoint>> points;
     for (const Row& row : rows) {
         if (row.study != "ch4_shock" || row.engine != "continuum" || row.knob != "dz" || row.quantity != "z_cm")
             continue;
-        if (!(row.error > 0.0 && row.value > 0.0 && row.cpu_seconds > 0.0)) continue;
-        errors[row.scheme].emplace_back(row.value, row.error);
-        costs[row.scheme].emplace_back(row.value, row.cpu_seconds);
-        const auto found = least.emplace(row.scheme, row.error).first;
-        found->second = std::min(found->second, row.error);
+        if (row.error > 0.0 && row.value > 0.0 && row.cpu_seconds > 0.0)
+            points[row.scheme].push_back({row.value, row.error, row.cpu_seconds});
     }
-    for (const auto& [name, points] : errors) {
-        if (points.size() < 3) continue;
-        const Scheme scheme{name, fit(points), fit(costs[name]), least[name]};
-        // A scheme whose error does not fall with the spacing has nothing to choose.
-        if (scheme.error.order > 0.3) schemes_.push_back(scheme);
-    }
+    for (const auto& [name, measured] : points)
+        if (measured.size() >= 3) schemes_.push_back(condense(name, measured));
     if (schemes_.empty()) throw std::runtime_error("work_precision.csv: no errors of z_cm against the spacing");
 }
 
 const Scheme& Table::cheapest(double error) const {
     const Scheme* best = nullptr;
     for (const Scheme& scheme : schemes_) {
-        if (scheme.least_error > error) continue;
-        if (!best || scheme.seconds_for(error) < best->seconds_for(error)) best = &scheme;
+        const std::optional<double> seconds = scheme.seconds_for(error);
+        if (seconds && (!best || *seconds < *best->seconds_for(error))) best = &scheme;
     }
     if (best) return *best;
     return *std::min_element(schemes_.begin(), schemes_.end(),

@@ -2,6 +2,7 @@
 // What was measured of speed against accuracy (data/expected/work_precision.csv), condensed to what a plan needs.
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -17,18 +18,24 @@ struct Row {
 /// Throws std::runtime_error where a column is missing.
 std::vector<Row> parse_table(std::string_view csv);
 
-/// error = factor spacing^order over the points, least squares of the logarithms.
+/// error = factor spacing^order, least squares of the logarithms.
 struct PowerLaw {
     double factor = 0.0, order = 0.0;
     double residual = 0.0;  // rms of the logarithms: 0.1 is 10 per cent
 };
 
+struct GridPoint {
+    double spacing = 0.0, error = 0.0, cpu_seconds = 0.0;
+};
+
+/// A scheme on ch4_shock: error of z_cm and CPU seconds against the vertical spacing, coarsest first.
 struct Scheme {
     std::string name;
-    PowerLaw error;          // of z_cm of ch4_shock against the vertical spacing
-    PowerLaw cost;           // CPU seconds against the vertical spacing
-    double least_error = 0;  // met in the table
-    double seconds_for(double wished) const;
+    std::vector<GridPoint> points;
+    PowerLaw error;  // over the points well above the least error, where something else than the spacing decides
+    double least_error = 0;
+    /// Between the first two points that have the error between them; nothing where none is as small.
+    std::optional<double> seconds_for(double wished) const;
 };
 
 class Table {
