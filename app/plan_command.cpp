@@ -56,7 +56,7 @@ std::string text_of(const Proposal& p) {
     line("", fmt::format("grid and step {}, lid {}", per_cent(c.grid), per_cent(c.lid_error)),
          fmt::format("statistics {}, known to {:.0f} %", per_cent(m.statistics), 100.0 * m.uncertainty));
     line("", fmt::format("start {}, scatter {}", per_cent(c.start), per_cent(c.scatter)),
-         fmt::format("start {}, cell {}", per_cent(m.start), per_cent(m.cell)));
+         fmt::format("start {}, cell {}, drift {}", per_cent(m.start), per_cent(m.cell), per_cent(m.drift)));
     if (c.dimension > 1) line("", fmt::format("columns {}", per_cent(c.columns)), "");
     text +=
         "\nErrors are of z_cm(ft), rms over twenty phases; how far the equations are from the grains is another "
@@ -103,7 +103,8 @@ nlohmann::ordered_json json_of(const Proposal& p, const std::filesystem::path& s
               {"error_statistics", m.statistics},
               {"error_statistics_uncertainty", m.uncertainty},
               {"error_start", m.start},
-              {"error_cell", m.cell}}},
+              {"error_cell", m.cell},
+              {"error_drift", m.drift}}},
             {"settings", p.settings},
             {"reasons", reasons}};
 }

@@ -18,7 +18,8 @@ constexpr double share_of_grid = 0.4, share_of_lid = 0.35, share_of_start = 0.25
 constexpr double coarsest = 1.6;            // sigma; every level is half the one before
 constexpr double least_cells_in_layer = 5;  // as poured: with fewer there is no profile
 constexpr int most_levels = 8;
-constexpr double least_cells = 16;       // the solver's own limit
+constexpr double least_cells = 16;  // the solver's own limit
+constexpr double settled_for_trial = 0.005;
 constexpr double base_lid_error = 0.01;  // of the lid that all grids are tried under; errors of grid and lid are apart
 constexpr std::size_t record = 48;       // cycles of the column that settling is read from
 constexpr std::size_t whole_runs = 8;  // lengths of trials are multiples of this many cycles, so that they serve again
@@ -135,14 +136,15 @@ void put_cost(Trials& trials, ContinuumPlan& plan, double seconds_a_cycle, doubl
     const double rows = std::round(plan.lid / plan.spacing);
     const auto cycles = static_cast<double>(plan.settle + plan.average);
     if (plan.dimension == 1) {
-        plan.seconds = seconds_a_cycle * cycles;
+        plan.seconds = trials.start_of_program() + seconds_a_cycle * cycles;
         plan.bytes = bytes_a_cell_of_column * rows;
         return;
     }
     double cells = rows;
     if (plan.dimension == 3 || scene.box.x >= scene.box.y) cells *= cells_along(scene.box.x, plan.spacing_horizontal);
     if (plan.dimension == 3 || scene.box.x < scene.box.y) cells *= cells_along(scene.box.y, plan.spacing_horizontal);
-    plan.seconds = trials.seconds_per_update(planned_scene(scene, plan)) * cells * steps_a_cycle * cycles;
+    plan.seconds = trials.start_of_program() +
+                   trials.seconds_per_update(planned_scene(scene, plan)) * cells * steps_a_cycle * cycles;
     plan.bytes = bytes_a_cell * cells;
 }
 
@@ -177,6 +179,8 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
     plan.lid = lid;
     plan.lid_error = root_mean_square(off_lid);
 
+    const auto roughly = settling_time(*trials.under_lid(plan.scheme, spacing, base), settled_for_trial);
+    plan.settle_of_trial = std::clamp<std::int64_t>(static_cast<std::int64_t>(roughly), 4, 24);
     const Heights& long_run = *trials.under_lid(plan.scheme, spacing, plan.lid);
     const double noise = spread(long_run, long_run.size() / 2).value;
     const auto settle = settling_time(long_run, std::max(share_of_start * error, 2.0 * noise));

@@ -18,7 +18,7 @@ constexpr double largest_trial = 20000;  // particles
 
 }  // namespace
 
-double MdPlan::error() const { return std::hypot(statistics, std::hypot(start, cell)); }
+double MdPlan::error() const { return std::hypot(std::hypot(statistics, start), std::hypot(cell, drift)); }
 
 MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     const scene::Scene& given = trials.scene();
@@ -41,7 +41,7 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     trial.number_of_particles = std::llround(shrink * shrink * static_cast<double>(small.number));
     trial.box.x = small.x * shrink;
     trial.box.y = small.y * shrink;
-    const Grains& grains = trials.grains(trial, std::clamp<std::int64_t>(continuum.settle, 4, 20));
+    const Grains& grains = trials.grains(trial, continuum.settle_of_trial);
     const double share = static_cast<double>(trial.number_of_particles) / static_cast<double>(chosen.number);
 
     const Spread found = spread(grains.heights, static_cast<std::size_t>(grains.settled));
@@ -54,10 +54,13 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     plan.average = block_cycles * static_cast<std::int64_t>(std::max(1.0, std::ceil(each)));
     plan.statistics = one_cycle / std::sqrt(static_cast<double>(plan.average * plan.seeds));
     plan.uncertainty = found.uncertainty;
+    plan.drift = drift(grains.heights, static_cast<std::size_t>(plan.settle), static_cast<std::size_t>(plan.average),
+                       found.value);
     plan.start = continuum.start * static_cast<double>(std::min(continuum.average, plan.average)) /
                  static_cast<double>(plan.average);
-    plan.seconds = grains.seconds_per_cycle / share * static_cast<double>(plan.settle + plan.average) *
-                   static_cast<double>(plan.seeds);
+    plan.seconds = static_cast<double>(plan.seeds) *
+                   (trials.start_of_program() +
+                    grains.seconds_per_cycle / share * static_cast<double>(plan.settle + plan.average));
     const double bins = continuum.lid / given.sample.bin;
     plan.bytes = grains.bytes_per_particle * static_cast<double>(plan.particles) +
                  bytes_a_bin * bins * static_cast<double>(given.sample.phases);

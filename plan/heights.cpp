@@ -57,21 +57,44 @@ Profile left_of_start(const Heights& heights, std::size_t settle, std::size_t cy
 
 Spread spread(const Heights& heights, std::size_t first) {
     const std::size_t cycles = heights.size() - std::min(first, heights.size());
-    if (cycles < 4) return {};
+    if (cycles < 6) return {};
     Spread found;
     found.block = std::max<std::size_t>(2, cycles / 16 * 2);
     found.blocks = cycles / found.block;
     first = heights.size() - found.blocks * found.block;
-    const Profile all = mean(heights, first, heights.size());
+    const auto block = [&](std::size_t b) {
+        return mean(heights, first + b * found.block, first + (b + 1) * found.block);
+    };
+    const auto blocks = static_cast<double>(found.blocks);
+    const auto offset = [&](std::size_t b) { return static_cast<double>(b) - 0.5 * (blocks - 1.0); };
+    Profile average{}, slope{};
+    for (std::size_t b = 0; b < found.blocks; ++b) {
+        const Profile one = block(b);
+        for (std::size_t p = 0; p < phases; ++p) {
+            average[p] += one[p] / blocks;
+            slope[p] += 12.0 * offset(b) * one[p] / (blocks * (blocks * blocks - 1.0));
+        }
+    }
     double sum = 0.0;
     for (std::size_t b = 0; b < found.blocks; ++b) {
-        const double d = difference(mean(heights, first + b * found.block, first + (b + 1) * found.block), all);
-        sum += d * d;
+        Profile line = average;
+        for (std::size_t p = 0; p < phases; ++p) line[p] += slope[p] * offset(b);
+        const double off = difference(block(b), line);
+        sum += off * off;
     }
-    const double freedom = static_cast<double>(found.blocks - 1);
-    found.value = std::sqrt(sum / freedom * static_cast<double>(found.block));
-    found.uncertainty = 1.0 / std::sqrt(2.0 * freedom);
+    found.value = std::sqrt(sum / (blocks - 2.0) * static_cast<double>(found.block));
+    found.uncertainty = 1.0 / std::sqrt(2.0 * (blocks - 2.0));
     return found;
+}
+
+double drift(const Heights& heights, std::size_t settle, std::size_t cycles, double spread) {
+    const std::size_t whole = heights.size(), third = whole / 6 * 2;
+    if (whole < 12 || settle + 2 > whole) return 0.0;
+    const std::size_t last = std::min(settle + cycles, whole);
+    const double off = difference(mean(heights, settle, last), mean(heights, whole - third, whole));
+    const double explained =
+        spread * std::sqrt(1.0 / static_cast<double>(last - settle) + 1.0 / static_cast<double>(third));
+    return off > 2.0 * explained ? off : 0.0;
 }
 
 }  // namespace shaken::plan

@@ -40,8 +40,12 @@ struct Spread {
     std::size_t blocks = 0, block = 0;
 };
 
-/// From means over blocks of an even number of cycles, at least six blocks where there are that many: correlations
-/// up to a block's length are in it. Cycles before `first` are left out.
+/// From means over blocks of an even number of cycles, eight blocks where there are that many, about a straight line:
+/// correlations up to a block's length are in it, a slow drift is not. Cycles before `first` are left out.
 Spread spread(const Heights& heights, std::size_t first);
+
+/// How far the last third of a record lies from a mean over `cycles` after `settle`, where that is more than twice what
+/// the spread explains; else 0. An MD that still orders itself drifts for hundreds of cycles.
+double drift(const Heights& heights, std::size_t settle, std::size_t cycles, double spread);
 
 }  // namespace shaken::plan

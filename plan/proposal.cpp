@@ -114,6 +114,10 @@ std::vector<Reason> reasons_of(Trials& trials, const Proposal& p) {
                     c.dimension > 1 ? ", and the scene's own time is kept for the pattern to grow" : ""));
     say("average", fmt::format("{} x {}", p.md.seeds, p.md.average),
         fmt::format("cycles of MD; ten blocks are the least that give an error, which falls as 1/sqrt(cycles seeds)"));
+    if (p.md.drift > 0.0)
+        say("drift", per_cent(p.md.drift),
+            "the trial's MD went on changing after the column had settled: no number of cycles here ends that, longer "
+            "settling may");
     say("continuum cycles", fmt::format("{}", c.average),
         c.average > 2 ? "the flow does not come back after two cycles" : "the flow comes back after one or two");
     return reasons;

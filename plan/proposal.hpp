@@ -18,6 +18,7 @@ struct ContinuumPlan {
     std::string scheme;
     double spacing = 0.0, spacing_horizontal = 0.0, lid = 0.0;
     std::int64_t settle = 0, average = 2;
+    std::int64_t settle_of_trial = 0;  // whatever the wish
     double seconds = 0.0, bytes = 0.0;
     double grid = 0.0;     // error of spacing and step together, cfl held
     double columns = 0.0;  // of the horizontal spacing
@@ -37,7 +38,8 @@ struct MdPlan {
     double statistics = 0.0;   // standard error of the mean over all seeds
     double uncertainty = 0.0;  // of it, relative: the trial's cycles are few
     double start = 0.0;
-    double cell = 0.0;  // of a cell smaller than the scene's
+    double cell = 0.0;   // of a cell smaller than the scene's
+    double drift = 0.0;  // where the trial's end lies elsewhere
     double error() const;
 };
 

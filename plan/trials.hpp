@@ -49,6 +49,8 @@ class Trials {
     /// CPU seconds to take one cell of the planned grid through one step, from a patch of at most 8 x 8 columns.
     double seconds_per_update(const scene::Scene& planned);
 
+    /// CPU seconds before the first trial: what every run of the program takes to begin.
+    double start_of_program() const { return begun_; }
     double spent() const { return cpu_seconds() - begun_; }
     const scene::Scene& scene() const { return scene_; }
 

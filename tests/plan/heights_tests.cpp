@@ -38,7 +38,7 @@ TEST_CASE("a layer of two periods is settled, and does not scatter") {
 TEST_CASE("independent cycles have the spread of one, correlated ones more") {
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0.0, 0.2);
-    // 1600 cycles in sixteen blocks: the estimate itself is known to 18 per cent.
+    // 1600 cycles in eight blocks: the estimate itself is known to 33 per cent.
     const Heights white = record(1600, [&](std::size_t) { return normal(random); });
     const Spread found = spread(white, 0);
     CHECK(found.blocks == 16 / 2);
@@ -47,4 +47,18 @@ TEST_CASE("independent cycles have the spread of one, correlated ones more") {
     const Heights slow = record(1600, [&](std::size_t) { return memory = 0.8 * memory + normal(random); });
     // A sum over a memory of 0.8 is five times as wide.
     CHECK(spread(slow, 0).value == Approx(0.05).epsilon(3.0 * found.uncertainty));
+}
+
+TEST_CASE("a slow drift is told, and is no spread") {
+    std::mt19937 random(2);
+    std::normal_distribution<double> normal(0.0, 0.2);
+    const Heights still = record(96, [&](std::size_t) { return normal(random); });
+    const Heights drifting = record(96, [&](std::size_t c) { return normal(random) - 0.02 * static_cast<double>(c); });
+    const Spread quiet = spread(still, 0), moving = spread(drifting, 0);
+    // One standard deviation of one cycle is 1 per cent; eight blocks give it to 33 per cent.
+    CHECK(quiet.value == Approx(0.01).epsilon(3.0 * quiet.uncertainty));
+    CHECK(moving.value == Approx(0.01).epsilon(3.0 * moving.uncertainty));
+    CHECK(drift(still, 10, 20, quiet.value) == 0.0);
+    // From cycle 20 to cycle 80 in the middle: 1.2 of 18.4.
+    CHECK(drift(drifting, 10, 20, moving.value) == Approx(0.065).epsilon(0.1));
 }
