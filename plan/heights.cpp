@@ -94,7 +94,7 @@ double drift(const Heights& heights, std::size_t settle, std::size_t cycles, dou
     const double off = difference(mean(heights, settle, last), mean(heights, whole - third, whole));
     const double explained =
         spread * std::sqrt(1.0 / static_cast<double>(last - settle) + 1.0 / static_cast<double>(third));
-    return off > 2.0 * explained ? off : 0.0;
+    return off > 3.0 * explained ? off : 0.0;
 }
 
 }  // namespace shaken::plan

@@ -44,8 +44,8 @@ struct Spread {
 /// correlations up to a block's length are in it, a slow drift is not. Cycles before `first` are left out.
 Spread spread(const Heights& heights, std::size_t first);
 
-/// How far the last third of a record lies from a mean over `cycles` after `settle`, where that is more than twice what
-/// the spread explains; else 0. An MD that still orders itself drifts for hundreds of cycles.
+/// How far the last third of a record lies from a mean over `cycles` after `settle`, where that is more than three
+/// times what the spread explains; else 0. An MD that still orders itself drifts for hundreds of cycles.
 double drift(const Heights& heights, std::size_t settle, std::size_t cycles, double spread);
 
 }  // namespace shaken::plan

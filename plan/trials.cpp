@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <numeric>
 
 #include "compare/continuum_sampler.hpp"
 #include "compare/md_sampler.hpp"
@@ -118,6 +119,15 @@ const Heights* Trials::under_lid(const std::string& scheme, double spacing, doub
     return kept ? &*kept : nullptr;
 }
 
+double seconds_of(const Grains& grains, std::int64_t cycles) {
+    const auto known = static_cast<std::int64_t>(grains.seconds.size());
+    const auto begin = grains.seconds.begin();
+    const double first = std::accumulate(begin, begin + std::min(cycles, known), 0.0);
+    const double late =
+        std::accumulate(begin + known / 2, grains.seconds.end(), 0.0) / static_cast<double>(known - known / 2);
+    return first + late * static_cast<double>(std::max<std::int64_t>(0, cycles - known));
+}
+
 const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {
     if (grains_) return *grains_;
     const scene::Scene scene = sampled_from_start(planned, settle + most_md_cycles);
@@ -129,15 +139,16 @@ const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {
     std::int64_t cycle = 0;
     for (; cycle < settle + most_md_cycles; ++cycle) {
         if (cycle >= settle + least_md_cycles && cpu_seconds() - start > budget_) break;
+        const double cycle_begin = cpu_seconds();
         for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
             simulation.advance_to(cycle,
                                   period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
             sampler.sample(simulation.snapshot(), cycle, phase);
         }
+        grains.seconds.push_back(cpu_seconds() - cycle_begin);
     }
     grains.heights = heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(cycle));
     grains.settled = settle;
-    grains.seconds_per_cycle = (cpu_seconds() - start) / static_cast<double>(cycle);
     grains.particles = simulation.particles();
     const auto number = static_cast<double>(grains.particles);
     grains.bytes_per_particle = static_cast<double>(simulation.memory()) / number;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <tuple>
+#include <vector>
 
 #include "plan/heights.hpp"
 #include "scene/scene.hpp"
@@ -27,12 +28,15 @@ struct Column {
 /// The MD in the cell of the scene that it was given.
 struct Grains {
     Heights heights;
-    std::int64_t settled = 0;  // cycles left out of the spread
-    double seconds_per_cycle = 0.0;
+    std::int64_t settled = 0;     // cycles left out of the spread
+    std::vector<double> seconds;  // of each cycle: the first ones, from a warm start, take more
     std::int64_t particles = 0;
     double bytes_per_particle = 0.0;
     double ceiling_contacts = 0.0;  // of each particle in a cycle
 };
+
+/// Of so many cycles from the start; those beyond the trial as its second half.
+double seconds_of(const Grains& grains, std::int64_t cycles);
 
 class Trials {
   public:
