@@ -73,7 +73,7 @@ Profile sum_of(Profile a, const Profile& b) {
 
 /// Measured on one grid: its error and its time and steps a cycle.
 struct Level {
-    double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0;
+    double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0, leave = 0.0;
     Profile profile{}, deviation{};
 };
 
@@ -91,8 +91,8 @@ std::vector<Level> measure_levels(Trials& trials, const ContinuumPlan& plan, dou
             if (levels.empty()) continue;
             break;
         }
-        levels.push_back(
-            {spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, mean(column->heights, settle, cycles)});
+        levels.push_back({spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, column->seconds_to_leave,
+                          mean(column->heights, settle, cycles)});
         if (levels.size() < 2) continue;
         Level& last = levels.back();
         last.deviation = deviation(levels[levels.size() - 2].profile, last.profile);
@@ -131,20 +131,19 @@ double interpolate(const std::vector<Level>& levels, double spacing, double Leve
 double cells_along(double side, double spacing) { return std::max(1.0, std::round(side / spacing)); }
 
 /// Time and memory of the full grid; of one column they are the level's own.
-void put_cost(Trials& trials, ContinuumPlan& plan, double seconds_a_cycle, double steps_a_cycle) {
+void put_cost(Trials& trials, ContinuumPlan& plan, double fixed, double seconds_a_cycle, double steps_a_cycle) {
     const scene::Scene& scene = trials.scene();
     const double rows = std::round(plan.lid / plan.spacing);
     const auto cycles = static_cast<double>(plan.settle + plan.average);
     if (plan.dimension == 1) {
-        plan.seconds = trials.start_of_program() + seconds_a_cycle * cycles;
+        plan.seconds = fixed + seconds_a_cycle * cycles;
         plan.bytes = bytes_a_cell_of_column * rows;
         return;
     }
     double cells = rows;
     if (plan.dimension == 3 || scene.box.x >= scene.box.y) cells *= cells_along(scene.box.x, plan.spacing_horizontal);
     if (plan.dimension == 3 || scene.box.x < scene.box.y) cells *= cells_along(scene.box.y, plan.spacing_horizontal);
-    plan.seconds = trials.start_of_program() +
-                   trials.seconds_per_update(planned_scene(scene, plan)) * cells * steps_a_cycle * cycles;
+    plan.seconds = fixed + trials.seconds_per_update(planned_scene(scene, plan)) * cells * steps_a_cycle * cycles;
     plan.bytes = bytes_a_cell * cells;
 }
 
@@ -180,7 +179,8 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
     plan.lid_error = root_mean_square(off_lid);
 
     const auto roughly = settling_time(*trials.under_lid(plan.scheme, spacing, base), settled_for_trial);
-    plan.settle_of_trial = std::clamp<std::int64_t>(static_cast<std::int64_t>(roughly), 4, 24);
+    const std::int64_t own = plan.dimension > 1 ? scene.sample.settle : 0;
+    plan.settle_of_trial = std::clamp<std::int64_t>(std::max(own, static_cast<std::int64_t>(roughly)), 4, 24);
     const Heights& long_run = *trials.under_lid(plan.scheme, spacing, plan.lid);
     const double noise = spread(long_run, long_run.size() / 2).value;
     const auto settle = settling_time(long_run, std::max(share_of_start * error, 2.0 * noise));
@@ -208,7 +208,8 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
     }
     plan.floor = scheme.least_error;
     plan.together = sum_of(sum_of(deviation_at(levels, plan.spacing, plan.grid), off_lid), off_start);
-    put_cost(trials, plan, plan.lid / base * interpolate(levels, plan.spacing, &Level::seconds, -2.0),
+    put_cost(trials, plan, trials.start_of_program() + levels.front().leave,
+             plan.lid / base * interpolate(levels, plan.spacing, &Level::seconds, -2.0),
              interpolate(levels, plan.spacing, &Level::steps, -1.0));
     return plan;
 }

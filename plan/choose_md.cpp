@@ -58,8 +58,8 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
                        found.value);
     plan.start = continuum.start * static_cast<double>(std::min(continuum.average, plan.average)) /
                  static_cast<double>(plan.average);
-    plan.seconds = static_cast<double>(plan.seeds) *
-                   (trials.start_of_program() + seconds_of(grains, plan.settle + plan.average) / share);
+    plan.seconds = static_cast<double>(plan.seeds) * (trials.start_of_program() + grains.seconds_to_leave +
+                                                      seconds_of(grains, plan.settle + plan.average) / share);
     const double bins = continuum.lid / given.sample.bin;
     plan.bytes = grains.bytes_per_particle * static_cast<double>(plan.particles) +
                  bytes_a_bin * bins * static_cast<double>(given.sample.phases);

@@ -31,6 +31,8 @@ double difference(const Profile& a, const Profile& b) { return root_mean_square(
 
 namespace {
 
+constexpr std::size_t least_blocks = 8;
+
 /// An even number of cycles, so that both halves of a layer of two periods count alike.
 Profile end_of(const Heights& heights) {
     const std::size_t quarter = std::max<std::size_t>(2, heights.size() / 8 * 2);
@@ -55,35 +57,35 @@ Profile left_of_start(const Heights& heights, std::size_t settle, std::size_t cy
     return left;
 }
 
+namespace {
+
+/// From half the mean square step between neighbouring blocks of so many cycles at the record's end.
+Spread of_blocks(const Heights& heights, std::size_t cycles, std::size_t block) {
+    Spread found;
+    found.block = block;
+    found.blocks = cycles / block;
+    const std::size_t first = heights.size() - found.blocks * block;
+    double sum = 0.0;
+    for (std::size_t b = first; b + 2 * block <= heights.size(); b += block) {
+        const double step = difference(mean(heights, b + block, b + 2 * block), mean(heights, b, b + block));
+        sum += 0.5 * step * step;
+    }
+    const double steps = static_cast<double>(found.blocks - 1);
+    found.value = std::sqrt(sum / steps * static_cast<double>(block));
+    found.uncertainty = std::sqrt(0.75 / steps);  // neighbouring steps share a block
+    return found;
+}
+
+}  // namespace
+
 Spread spread(const Heights& heights, std::size_t first) {
     const std::size_t cycles = heights.size() - std::min(first, heights.size());
-    if (cycles < 6) return {};
-    Spread found;
-    found.block = std::max<std::size_t>(2, cycles / 16 * 2);
-    found.blocks = cycles / found.block;
-    first = heights.size() - found.blocks * found.block;
-    const auto block = [&](std::size_t b) {
-        return mean(heights, first + b * found.block, first + (b + 1) * found.block);
-    };
-    const auto blocks = static_cast<double>(found.blocks);
-    const auto offset = [&](std::size_t b) { return static_cast<double>(b) - 0.5 * (blocks - 1.0); };
-    Profile average{}, slope{};
-    for (std::size_t b = 0; b < found.blocks; ++b) {
-        const Profile one = block(b);
-        for (std::size_t p = 0; p < phases; ++p) {
-            average[p] += one[p] / blocks;
-            slope[p] += 12.0 * offset(b) * one[p] / (blocks * (blocks * blocks - 1.0));
-        }
+    if (cycles < 4) return {};
+    Spread found = of_blocks(heights, cycles, 2);
+    for (std::size_t block = 4; cycles / block >= least_blocks; block *= 2) {
+        const Spread longer = of_blocks(heights, cycles, block);
+        if (longer.value > found.value * (1.0 + 2.0 * longer.uncertainty)) found = longer;
     }
-    double sum = 0.0;
-    for (std::size_t b = 0; b < found.blocks; ++b) {
-        Profile line = average;
-        for (std::size_t p = 0; p < phases; ++p) line[p] += slope[p] * offset(b);
-        const double off = difference(block(b), line);
-        sum += off * off;
-    }
-    found.value = std::sqrt(sum / (blocks - 2.0) * static_cast<double>(found.block));
-    found.uncertainty = 1.0 / std::sqrt(2.0 * (blocks - 2.0));
     return found;
 }
 

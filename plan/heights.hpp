@@ -40,8 +40,9 @@ struct Spread {
     std::size_t blocks = 0, block = 0;
 };
 
-/// From means over blocks of an even number of cycles, eight blocks where there are that many, about a straight line:
-/// correlations up to a block's length are in it, a slow drift is not. Cycles before `first` are left out.
+/// From the steps between means over neighbouring blocks of two cycles, or of more (at least six blocks) where those
+/// say more by over two standard deviations: correlations are in it, a slow drift hardly. Cycles before `first` are
+/// left out.
 Spread spread(const Heights& heights, std::size_t first);
 
 /// How far the last third of a record lies from a mean over `cycles` after `settle`, where that is more than three

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: MIT
 #include "plan/trials.hpp"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cmath>
 #include <ctime>
+#include <filesystem>
 #include <numeric>
 
 #include "compare/continuum_sampler.hpp"
 #include "compare/md_sampler.hpp"
 #include "continuum/errors.hpp"
 #include "continuum/solver.hpp"
+#include "files/checkpoint.hpp"
+#include "files/hdf5.hpp"
 #include "md/simulation.hpp"
+#include "plan/wish.hpp"
 
 namespace shaken::plan {
 
@@ -47,6 +53,26 @@ Heights heights_of(const Sampler& sampler, std::int64_t phases_kept, std::size_t
     return heights;
 }
 
+/// Writes what a run of so many averages leaves, and throws it away.
+template <class Engine, class Sampler>
+double seconds_to_leave(const Engine& engine, const Sampler& sampler) {
+    const double begin = cpu_seconds();
+    const std::filesystem::path aside =
+        std::filesystem::temp_directory_path() / ("shaken_plan_" + std::to_string(::getpid()));
+    {
+        files::CheckpointWriter checkpoint;
+        engine.save(checkpoint);
+        sampler.save(checkpoint);
+        checkpoint.commit(aside);
+        files::Hdf5File averages(aside.string() + ".h5", files::Open::create);
+        sampler.moments().write(averages, "/profiles");
+        averages.close();
+    }
+    std::filesystem::remove(aside);
+    std::filesystem::remove(aside.string() + ".h5");
+    return cpu_seconds() - begin;
+}
+
 scene::Scene one_column(const scene::Scene& given, const std::string& scheme, double spacing, double lid,
                         std::size_t cycles) {
     scene::Scene scene = sampled_from_start(given, static_cast<std::int64_t>(cycles));
@@ -72,7 +98,8 @@ Column run_column(const scene::Scene& scene) {
     if (!std::isfinite(recorded)) throw continuum::RunFailed("continuum: a trial is not finite");
     const auto cycles = static_cast<double>(scene.sample.average);
     return {heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(scene.sample.average)),
-            (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles, solver.cells_z()};
+            (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles,
+            seconds_to_leave(solver, sampler)};
 }
 
 }  // namespace
@@ -136,6 +163,7 @@ const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {
     const double period = scene.motion.period();
     const double start = cpu_seconds();
     Grains grains;
+    double recorded = 0.0;  // as a run does at every sample
     std::int64_t cycle = 0;
     for (; cycle < settle + most_md_cycles; ++cycle) {
         if (cycle >= settle + least_md_cycles && cpu_seconds() - start > budget_) break;
@@ -144,11 +172,14 @@ const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {
             simulation.advance_to(cycle,
                                   period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
             sampler.sample(simulation.snapshot(), cycle, phase);
+            recorded += simulation.ledger().kinetic;
         }
         grains.seconds.push_back(cpu_seconds() - cycle_begin);
     }
+    if (!std::isfinite(recorded)) throw CannotPlan("plan: the trial of the MD is not finite");
     grains.heights = heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(cycle));
     grains.settled = settle;
+    grains.seconds_to_leave = seconds_to_leave(simulation, sampler);
     grains.particles = simulation.particles();
     const auto number = static_cast<double>(grains.particles);
     grains.bytes_per_particle = static_cast<double>(simulation.memory()) / number;

@@ -22,7 +22,7 @@ double cpu_seconds();
 struct Column {
     Heights heights;
     double seconds_per_cycle = 0.0, steps_per_cycle = 0.0;
-    std::int64_t cells = 0;
+    double seconds_to_leave = 0.0;  // a checkpoint and a file of averages, as at the end of a run
 };
 
 /// The MD in the cell of the scene that it was given.
@@ -30,6 +30,7 @@ struct Grains {
     Heights heights;
     std::int64_t settled = 0;     // cycles left out of the spread
     std::vector<double> seconds;  // of each cycle: the first ones, from a warm start, take more
+    double seconds_to_leave = 0.0;
     std::int64_t particles = 0;
     double bytes_per_particle = 0.0;
     double ceiling_contacts = 0.0;  // of each particle in a cycle

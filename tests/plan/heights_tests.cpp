@@ -2,9 +2,11 @@
 // Statistics of z_cm(ft) on made-up records whose answer is known.
 #include "plan/heights.hpp"
 
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
+#include <vector>
 
 using namespace shaken::plan;
 
@@ -36,29 +38,36 @@ TEST_CASE("a layer of two periods is settled, and does not scatter") {
 }
 
 TEST_CASE("independent cycles have the spread of one, correlated ones more") {
+    constexpr std::size_t trials = 41;
+    std::vector<double> white, slow;
     std::mt19937 random(1);
     std::normal_distribution<double> normal(0.0, 0.2);
-    // 1600 cycles in eight blocks: the estimate itself is known to 33 per cent.
-    const Heights white = record(1600, [&](std::size_t) { return normal(random); });
-    const Spread found = spread(white, 0);
-    CHECK(found.blocks == 16 / 2);
-    CHECK(found.value == Approx(0.01).epsilon(3.0 * found.uncertainty));
-    double memory = 0.0;
-    const Heights slow = record(1600, [&](std::size_t) { return memory = 0.8 * memory + normal(random); });
-    // A sum over a memory of 0.8 is five times as wide.
-    CHECK(spread(slow, 0).value == Approx(0.05).epsilon(3.0 * found.uncertainty));
+    for (std::size_t k = 0; k < trials; ++k) {
+        white.push_back(spread(record(96, [&](std::size_t) { return normal(random); }), 0).value);
+        double memory = 0.0;
+        slow.push_back(
+            spread(record(1600, [&](std::size_t) { return memory = 0.8 * memory + normal(random); }), 0).value);
+    }
+    std::sort(white.begin(), white.end());
+    std::sort(slow.begin(), slow.end());
+    // Medians of 41 trials: of the spread of one cycle, known to some 15 per cent from 96 of them;
+    // and of a sum over a memory of 0.8, five times as wide, of which blocks that are found long enough miss a part.
+    CHECK(white[trials / 2] == Approx(0.01).epsilon(0.1));
+    CHECK(white[trials / 10] > 0.007);
+    CHECK(white[trials - 1 - trials / 10] < 0.015);
+    CHECK(slow[trials / 2] == Approx(0.05).epsilon(0.25));
 }
 
 TEST_CASE("a slow drift is told, and is no spread") {
     std::mt19937 random(2);
     std::normal_distribution<double> normal(0.0, 0.2);
     const Heights still = record(96, [&](std::size_t) { return normal(random); });
-    const Heights drifting = record(96, [&](std::size_t c) { return normal(random) - 0.02 * static_cast<double>(c); });
+    const Heights drifting = record(96, [&](std::size_t c) { return normal(random) - 0.01 * static_cast<double>(c); });
     const Spread quiet = spread(still, 0), moving = spread(drifting, 0);
-    // One standard deviation of one cycle is 1 per cent; eight blocks give it to 33 per cent.
+    // One standard deviation of one cycle is 1 per cent.
     CHECK(quiet.value == Approx(0.01).epsilon(3.0 * quiet.uncertainty));
-    CHECK(moving.value == Approx(0.01).epsilon(3.0 * moving.uncertainty));
+    CHECK(moving.value == Approx(quiet.value).epsilon(0.3));
     CHECK(drift(still, 10, 20, quiet.value) == 0.0);
-    // From cycle 20 to cycle 80 in the middle: 1.2 of 18.4.
-    CHECK(drift(drifting, 10, 20, moving.value) == Approx(0.065).epsilon(0.1));
+    // From cycle 20 to cycle 80 in the middle: 0.6 of 19.2; 0.3 per cent of it by chance.
+    CHECK(drift(drifting, 10, 20, moving.value) == Approx(0.031).epsilon(0.2));
 }
