@@ -208,7 +208,7 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
     }
     plan.floor = scheme.least_error;
     plan.together = sum_of(sum_of(deviation_at(levels, plan.spacing, plan.grid), off_lid), off_start);
-    put_cost(trials, plan, trials.start_of_program() + levels.front().leave,
+    put_cost(trials, plan, trials.start_of_program() + plan.lid / base * levels.front().leave,
              plan.lid / base * interpolate(levels, plan.spacing, &Level::seconds, -2.0),
              interpolate(levels, plan.spacing, &Level::steps, -1.0));
     return plan;

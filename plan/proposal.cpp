@@ -82,9 +82,8 @@ std::vector<Reason> reasons_of(Trials& trials, const Proposal& p) {
                         box));
     const Scheme& scheme = measured_table().cheapest(0.5 * p.aimed);
     say("scheme", c.scheme,
-        fmt::format(
-            "takes the least time for this error in the measured table (order {:.2g} in z_cm, residual {:.0f} %)",
-            scheme.error.order, 100.0 * scheme.error.residual));
+        fmt::format("takes the least time for this error in the measured table (order {:.2g} in z_cm)",
+                    scheme.error.order));
     say("spacing", fmt::format("{:g}", c.spacing),
         fmt::format("columns of this scene, each grid twice as fine as the last, leave {}", per_cent(c.grid)));
     if (c.dimension > 1)
