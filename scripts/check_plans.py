@@ -39,7 +39,7 @@ SCENES = {
     "depth_4.5": (CH4, ("particles.number=1969",), "--error 1%"),
     "depth_13.5": (CH4, ("particles.number=5906",), "--error 1%"),
     "velocity_law": (CH4, (VELOCITY,), "--seconds 3"),
-    "e_0.75": (CH4, ("particles.restitution=0.75",), "--error 1%"),
+    "e_0.8": (CH4, ("particles.restitution=0.8",), "--error 1%"),
     "e_0.99": (CH4, ("particles.restitution=0.99",), "--error 2%"),
     "gamma_2": (CH4, ("plate.acceleration=2",), "--error 1%"),
     "gamma_6": (CH4, ("plate.acceleration=6",), "--error 2%"),
