@@ -101,7 +101,7 @@ Column run_column(const scene::Scene& scene) {
             if (cycle >= end.sample.settle) sampler_of_end.sample(solver, cycle, phase);
             recorded += solver.mass() + solver.ledger().energy;
         }
-    if (!std::isfinite(recorded)) throw continuum::RunFailed("continuum: a trial is not finite");
+    if (!std::isfinite(recorded)) throw continuum::RunFailed("continuum: a trial is not finite", 0.0);
     const auto cycles = static_cast<double>(scene.sample.average);
     return {heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(scene.sample.average)),
             (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles,
