@@ -78,7 +78,12 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
     std::vector<bool> inside(cycle.size());
     std::transform(cycle.begin(), cycle.end(), inside.begin(),
                    [](const PhaseMeasures& m) { return m.shock && m.shock->inside_layer; });
-    const std::optional<Run> run = longest_run(inside, gap);
+    std::optional<Run> run = longest_run(inside, gap);
+    const auto is_inside = [&](std::int64_t i) { return at(i).shock && at(i).shock->inside_layer; };
+    while (run && run->length() > 1 && !is_inside(run->first + 1)) {
+        do ++run->first;
+        while (!is_inside(run->first));
+    }
     if (!run || static_cast<double>(run->length()) < shortest_run * static_cast<double>(count)) return std::nullopt;
 
     ShockHistory history;
@@ -89,6 +94,16 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
     history.leaving_phase = history.leaving_location = history.mean_speed = std::nan("");
     history.fully_formed_phase = history.fully_formed_speed = history.fitted_speed = std::nan("");
 
+    const auto reaches = [&](std::int64_t from, std::int64_t to) {
+        const double farthest = furthest_by_noise + fastest * static_cast<double>(to - from) * step / frequency;
+        return std::abs(at(to).shock->location - at(from).shock->location) <= farthest;
+    };
+    const auto is_noise = [&](std::int64_t i, std::int64_t last_followed) {
+        if (reaches(last_followed, i)) return false;
+        for (std::int64_t later = i + 1; later - last_followed <= gap + 1; ++later)
+            if (at(later).shock && reaches(last_followed, later)) return true;
+        return false;
+    };
     Slope slope;
     double excess_before = std::nan(""), fully_formed_location = std::nan("");
     std::int64_t before = run->first;
@@ -96,8 +111,10 @@ std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle
     for (std::int64_t i = run->first; i < run->first + count && i - before <= gap + 1; ++i) {
         if (!at(i).shock || !at(i).layer) continue;
         const Shock& shock = *at(i).shock;
-        const double farthest = furthest_by_noise + fastest * static_cast<double>(i - before) * step / frequency;
-        if (i > run->first && std::abs(shock.location - at(before).shock->location) > farthest) continue;
+        if (i > run->first && is_noise(i, before)) {
+            history.passed_over.push_back(i % count);
+            continue;
+        }
         const double excess = shock.location - at(i).layer->upper;
         const double phase = history.formation_phase + static_cast<double>(i - run->first) * step;
         if (excess >= 0.0) {

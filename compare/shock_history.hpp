@@ -2,6 +2,7 @@
 // The shock's life over one cycle of the plate: when it forms, when it leaves the layer, how fast it goes.
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <optional>
 #include <vector>
@@ -39,12 +40,19 @@ struct ShockHistory {
     double fitted_speed = 0.0;   // slope of the line of least squares through the locations from then to leaving
     double approach_mach = 0.0;  // greatest Mach number in the layer at the last phase before formation
 
-    /// Whether a phase index lies between formation and leaving, round the cycle.
-    bool follows(std::int64_t phase, std::int64_t phases) const {
-        return ((phase - first) % phases + phases) % phases <= last - first;
-    }
+    std::vector<std::int64_t> passed_over;  // phase indices in between at which noise outdid the shock
+
+    /// Whether a phase index lies between formation and leaving, round the cycle, and is not passed over.
+    bool follows(std::int64_t phase, std::int64_t phases) const { return lies_from(first, phase, phases); }
     bool follows_fully_formed(std::int64_t phase, std::int64_t phases) const {
-        return ((phase - first_fully_formed) % phases + phases) % phases <= last - first_fully_formed;
+        return lies_from(first_fully_formed, phase, phases);
+    }
+
+  private:
+    bool lies_from(std::int64_t begin, std::int64_t phase, std::int64_t phases) const {
+        const auto same = [&](std::int64_t noisy) { return (noisy - phase) % phases == 0; };
+        return ((phase - begin) % phases + phases) % phases <= last - begin &&
+               std::none_of(passed_over.begin(), passed_over.end(), same);
     }
 };
 

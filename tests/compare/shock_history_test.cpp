@@ -125,8 +125,35 @@ TEST_CASE("a phase at which noise above the layer outdoes the shock is passed ov
     measures[middle].shock->location = measures[middle].layer->upper + 3.0;
     const auto noisy = compare::follow_shock(measures, frequency);
     REQUIRE(noisy);
+    CHECK(noisy->passed_over == std::vector<std::int64_t>{static_cast<std::int64_t>(middle)});
+    CHECK_FALSE(noisy->follows(static_cast<std::int64_t>(middle), 200));
     CHECK(noisy->leaving_phase == plain->leaving_phase);
     CHECK(noisy->mean_speed == plain->mean_speed);
     CHECK(noisy->fitted_speed == Approx(plain->fitted_speed).epsilon(1e-3));  // a point less of the line
     CHECK(plain->fitted_speed == Approx(speed).epsilon(0.02));                // truncation, as above
+}
+
+TEST_CASE("a location that jumps and stays has jumped") {
+    // As where the fall next to the plate and the front change places while a deep layer's shock forms.
+    auto measures = Cycle{}.measures();
+    const auto plain = compare::follow_shock(measures, frequency);
+    REQUIRE(plain);
+    for (std::int64_t k = plain->first; k < plain->first + 6; ++k)
+        measures[static_cast<std::size_t>(k)].shock->location -= 9.0;
+    const auto jumping = compare::follow_shock(measures, frequency);
+    REQUIRE(jumping);
+    CHECK(jumping->passed_over.empty());
+    CHECK(jumping->leaving_phase == plain->leaving_phase);
+}
+
+TEST_CASE("one phase of noise before a gap is not where a shock forms") {
+    auto measures = Cycle{}.measures();
+    const auto plain = compare::follow_shock(measures, frequency);
+    REQUIRE(plain);
+    const auto first = static_cast<std::size_t>(plain->first);
+    REQUIRE(measures[first + 3].shock);
+    for (const std::size_t hidden : {first + 1, first + 2}) measures[hidden].shock.reset();
+    const auto later = compare::follow_shock(measures, frequency);
+    REQUIRE(later);
+    CHECK(later->first == plain->first + 3);
 }
