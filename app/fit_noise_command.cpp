@@ -227,10 +227,10 @@ int run_fit_noise(const FitNoiseOptions& options) {
         files::write_atomically(kept, as_table(model_curves(options)));
     const std::vector<compare::ModelCurve> model = read_model(kept);
     const std::vector<compare::MeasuredRuns> blocks = read_blocks(path);
+    const auto by = options.onset_by_size ? compare::OnsetBy::mean_square : compare::OnsetBy::order;
     const compare::NoiseFit fit = [&] {
         try {
-            return compare::fit_noise(measured, model, compare::redraw_blocks(measured, blocks), options.draws, 1,
-                                      options.onset_by_size ? compare::OnsetBy::mean_square : compare::OnsetBy::order);
+            return compare::fit_noise(measured, model, compare::redraw_blocks(measured, blocks), options.draws, 1, by);
         } catch (const std::invalid_argument& error) {
             throw files::Damaged(fmt::format("{}: {}", path.string(), error.what()));
         }
@@ -238,6 +238,9 @@ int run_fit_noise(const FitNoiseOptions& options) {
     nlohmann::ordered_json residuals = nlohmann::ordered_json::array();
     for (std::size_t i = 0; i < model.size(); ++i)
         residuals.push_back({{"noise", model[i].noise}, {"residual", fit.residuals[i]}});
+    nlohmann::ordered_json without = nlohmann::ordered_json::array();
+    for (const auto& [control, one] : compare::fit_without_each(measured, model, by))
+        without.push_back({{"value", control}, {"noise", one.noise}, {"mean_field_onset", one.mean_field_onset}});
     const nlohmann::ordered_json line{{"noise", fit.noise},
                                       {"noise_error", fit.noise_error},
                                       {"noise_low", fit.noise_low},
@@ -251,7 +254,8 @@ int run_fit_noise(const FitNoiseOptions& options) {
                                       {"residual", fit.residual},
                                       {"draws", fit.fitted_draws},
                                       {"points_with_blocks", blocks.size()},
-                                      {"residuals", residuals}};
+                                      {"residuals", residuals},
+                                      {"without_one_value", without}};
     fmt::print("{}\n", line.dump());
     return exit_code::done;
 }

@@ -23,9 +23,10 @@ struct FitNoiseOptions {
     bool onset_by_size = false;   // the onset is where <psi^2> rises most steeply, not P_max
 };
 
-/// Prints one line of JSON. Errors by bootstrap over the blocks of TABLE.blocks.csv (columns value, run, mean_square,
-/// power_0 to power_20), or within the table's errors where there are none. The model's curves go to options.model.
-/// Returns an exit code; throws files::NoInput, files::Damaged (not such a table) or UsageError.
+/// Prints one line of JSON, with the fits without each of the values in turn. Errors by bootstrap over the blocks of
+/// TABLE.blocks.csv (columns value, run, mean_square, power_0 to power_20), or within the table's errors where there
+/// are none. The model's curves go to options.model. Returns an exit code; throws files::NoInput, files::Damaged (not
+/// such a table) or UsageError.
 int run_fit_noise(const FitNoiseOptions& options);
 
 }  // namespace shaken::app

@@ -200,4 +200,23 @@ NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& mo
     return fit;
 }
 
+std::vector<FitWithout> fit_without_each(const OnsetCurve& measured, const std::vector<ModelCurve>& model, OnsetBy by) {
+    std::vector<FitWithout> fits;
+    for (std::size_t i = 0; i < measured.control.size(); ++i) {
+        OnsetCurve rest;
+        for (std::size_t j = 0; j < measured.control.size(); ++j) {
+            if (j == i) continue;
+            rest.control.push_back(measured.control[j]);
+            rest.mean_square.push_back(measured.mean_square[j]);
+            rest.order.push_back(measured.order[j]);
+        }
+        try {
+            fits.push_back({measured.control[i], fit_noise(rest, model, {}, 0, 1, by)});
+        } catch (const std::invalid_argument&) {
+            continue;
+        }
+    }
+    return fits;
+}
+
 }  // namespace shaken::compare

@@ -74,4 +74,13 @@ struct NoiseFit {
 NoiseFit fit_noise(const OnsetCurve& measured, const std::vector<ModelCurve>& model, const Redraw& redraw = {},
                    int draws = 200, std::uint64_t seed = 1, OnsetBy by = OnsetBy::order);
 
+/// The fit again without one of the measured controls, for each of them: how far it hangs on a single point, which the
+/// bootstrap over cycles does not say. A control without which nothing can be fitted is left out of the answer.
+struct FitWithout {
+    double control = 0.0;  // the one left out
+    NoiseFit fit;
+};
+std::vector<FitWithout> fit_without_each(const OnsetCurve& measured, const std::vector<ModelCurve>& model,
+                                         OnsetBy by = OnsetBy::order);
+
 }  // namespace shaken::compare

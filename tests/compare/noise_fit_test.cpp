@@ -84,6 +84,10 @@ TEST_CASE("noise, mean-field onset and scale of made-up curves are recovered") {
     CHECK(fit.noise == Approx(0.009).epsilon(0.15));  // truncation: noises a factor two apart
     CHECK(fit.mean_field_onset == Approx(1.97).epsilon(0.005));
     CHECK(fit.scale == Approx(3.5).epsilon(0.05));
+    const auto without = compare::fit_without_each(measured, model);
+    REQUIRE(without.size() == measured.control.size());
+    CHECK(without.front().control == measured.control.front());
+    for (const auto& one : without) CHECK(one.fit.noise == Approx(0.009).epsilon(0.3));  // 35 points hold it as well
 
     measured.mean_square_error.assign(measured.control.size(), 0.0);
     measured.order_error.assign(measured.control.size(), 0.0);
