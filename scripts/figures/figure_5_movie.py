@@ -20,7 +20,7 @@ CAPTION = (
     "f* = 0.4174. The picture is the frame at ft = 0.75; the movie lies beside it as figure_5_movie.mp4 and shows the two cycles four times."
 )
 DEEP, TOP, SHOWN, RATE, ROUNDS = 6.0, 21.0, 0.75, 16, 4
-FASTEST = 1.5  # of the colours, sqrt(g sigma)
+FASTEST = 0.8  # of the colours, sqrt(g sigma)
 
 
 def frame(time, md, continuum):
@@ -49,13 +49,13 @@ def frame(time, md, continuum):
 
 
 def heights_of_wave(stripes, time):
-    """Half the height between peak and valley: the amplitude of the pattern's wave in the height of the centre of mass."""
+    """Amplitude of the pattern's wave in the height of the centre of mass, above 0 where a peak stands at half a wavelength."""
     piece = stripes.at(time)
     z = (piece.z[1:] + piece.z[:-1])[:, None] / 2
     nu = np.nan_to_num(piece.fields["nu"])
     height = (nu * z).sum(axis=0) / nu.sum(axis=0)
     wave = round(stripes.width / stripes.wavelength)
-    return 2 * np.real(np.fft.rfft(height)[wave]) / len(height)
+    return -2 * np.real(np.fft.rfft(height)[wave]) / len(height)
 
 
 def draw(study):

@@ -10,11 +10,11 @@ EMPTY_SHADE = "#e8e8e8"
 # Label, colour map, lowest, highest; what has a sign diverges about zero.
 LOOKS = {
     "nu": (r"volume fraction $\nu$", "Blues", 0.0, 0.65),
-    "u_x": (r"$u_x/\sqrt{g\sigma}$", "RdBu_r", -1.5, 1.5),
+    "u_x": (r"$u_x/\sqrt{g\sigma}$", "RdBu_r", -0.8, 0.8),
     "u_z": (r"$u_z/\sqrt{g\sigma}$", "RdBu_r", -6.0, 6.0),
     "T": (r"$T/(g\sigma)$", "inferno", 0.0, 1.5),
     "P": (r"$P/(m g/\sigma^2)$", "viridis", 0.0, 20.0),
-    "dP/dx": (r"$\partial_x P/(m g/\sigma^3)$", "RdBu_r", -3.0, 3.0),
+    "dP/dx": (r"$\partial_x P/(m g/\sigma^3)$", "RdBu_r", -1.5, 1.5),
 }
 RUNS = (("MD", "md_stripes", "md"), ("continuum", "continuum_stripes", "continuum"))
 

@@ -2,8 +2,8 @@
 """Slices of a layer across its stripes: fields over x and z at the phases of two cycles, of either engine's whole states.
 
 MD: every particle is taken into the plane across the stripes, whatever its place along them, and states a whole number of two cycles
-apart are averaged. Continuum: the cells of y = Ly/2. Both are shifted along x so that the pattern's first peak at ft = 0 stands at a
-quarter of the wavelengths' box. Lengths in sigma, velocities in sqrt(g sigma), laboratory frame.
+apart are averaged. Continuum: the cells of y = Ly/2. Both are shifted along x so that the pattern's first peak at ft = 0 stands at half a
+wavelength. Lengths in sigma, velocities in sqrt(g sigma), laboratory frame.
 """
 import dataclasses
 import tomllib
@@ -17,6 +17,7 @@ BIN_X, BIN_Z = 2.0, 1.0      # of the MD
 FEWEST = 20                  # particles in a bin, for a velocity, a temperature and what follows from them
 EMPTY = 1e-3                 # volume fraction below which the continuum is not drawn
 PACKING, RESTITUTION = 0.65, 0.7
+ORDERED = 0.6                # volume fraction of the MD above which planes of spheres have no pressure by the equation of state
 
 
 @dataclasses.dataclass
@@ -39,9 +40,9 @@ def pressure(nu, temperature):
     return 6 / np.pi * nu * temperature * (1 + 2 * (1 + RESTITUTION) * goldshtein(nu)[0])
 
 
-def completed(x, z, plate, nu, u_x, u_z, temperature):
+def completed(x, z, plate, nu, u_x, u_z, temperature, densest=PACKING):
     """A slice with the pressure of the scene's equation of state, and its slope along x."""
-    p = pressure(nu, temperature)
+    p = np.where(nu < densest, pressure(nu, temperature), np.nan)
     dx = x[1] - x[0]
     slope = (np.roll(p, -1, axis=1) - np.roll(p, 1, axis=1)) / (2 * dx)
     return Slice(x, z, plate, {"nu": nu, "u_x": u_x, "u_z": u_z, "T": temperature, "P": p, "dP/dx": slope})
@@ -130,7 +131,7 @@ class Stripes:
         temperature = np.where(count >= FEWEST, square * count / np.maximum(count - 1, 1), np.nan)
         mean = [np.where(count >= FEWEST, m, np.nan) for m in mean]
         nu = np.where(count > 0, nu, np.nan)
-        return completed(edges[0], edges[1], plate, nu, mean[0], mean[2], temperature)
+        return completed(edges[0], edges[1], plate, nu, mean[0], mean[2], temperature, ORDERED)
 
     def _of_continuum(self, ft, top):
         with h5py.File(self.path) as file:
