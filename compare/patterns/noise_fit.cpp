@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <span>
 #include <stdexcept>
 #include <utility>
 
@@ -24,6 +25,19 @@ double vertex(double x0, double x1, double x2, double y0, double y1, double y2) 
     const double left = (y1 - y0) / (x1 - x0), right = (y2 - y1) / (x2 - x1);
     if (right == left) return x1;
     return 0.5 * (x0 + x1) - left * 0.5 * (x2 - x0) / (right - left);
+}
+
+/// Mean of x, and slope of the least-squares line through the points.
+std::pair<double, double> fitted_slope(std::span<const double> x, std::span<const double> y) {
+    const auto count = static_cast<double>(x.size());
+    const double mean_x = std::accumulate(x.begin(), x.end(), 0.0) / count;
+    const double mean_y = std::accumulate(y.begin(), y.end(), 0.0) / count;
+    double product = 0.0, square = 0.0;
+    for (std::size_t i = 0; i < x.size(); ++i) {
+        product += (x[i] - mean_x) * (y[i] - mean_y);
+        square += (x[i] - mean_x) * (x[i] - mean_x);
+    }
+    return {mean_x, product / square};
 }
 
 /// <psi^2> between the points of a model curve, linear in its logarithm, which spans decades. NaN outside.
@@ -122,10 +136,13 @@ double deviation(const std::vector<double>& values) {
 double steepest_rise(const OnsetCurve& curve, OnsetBy by) {
     check(curve);
     const std::vector<double>& rising = by == OnsetBy::order ? curve.order : curve.mean_square;
+    const std::size_t window = std::max<std::size_t>(2, curve.control.size() / 4);
     std::vector<double> middle, slope;
-    for (std::size_t i = 1; i < curve.control.size(); ++i) {
-        middle.push_back(0.5 * (curve.control[i - 1] + curve.control[i]));
-        slope.push_back((rising[i] - rising[i - 1]) / (curve.control[i] - curve.control[i - 1]));
+    for (std::size_t i = 0; i + window <= curve.control.size(); ++i) {
+        const auto [x, rise] =
+            fitted_slope(std::span(curve.control).subspan(i, window), std::span(rising).subspan(i, window));
+        middle.push_back(x);
+        slope.push_back(rise);
     }
     const auto steepest = static_cast<std::size_t>(std::max_element(slope.begin(), slope.end()) - slope.begin());
     if (steepest == 0 || steepest + 1 == slope.size()) return middle[steepest];

@@ -25,9 +25,10 @@ struct OnsetCurve {
 /// (section 6.6.2).
 enum class OnsetBy { order, mean_square };
 
-/// The control at which the order (or <psi^2>) rises most steeply: the largest slope between neighbouring points,
-/// refined by the parabola through it and the slopes beside it. Throws std::invalid_argument for fewer than four
-/// points.
+/// The control at which the order (or <psi^2>) rises most steeply: the largest slope of lines fitted to a quarter of
+/// the points that follow one another (two at least), refined by the parabola through it and the slopes beside it.
+/// Slopes between neighbours alone scatter so much that the F of a noisy field came out between 0.8 and 1.35 of the
+/// true one; with these, between 0.95 and 1.02. Throws std::invalid_argument for fewer than four points.
 double steepest_rise(const OnsetCurve& curve, OnsetBy by = OnsetBy::order);
 
 /// Another curve that could as well have been measured.

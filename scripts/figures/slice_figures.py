@@ -1,19 +1,20 @@
 # SPDX-License-Identifier: MIT
 """Figures 5.4 to 5.10 share this: panels of fields over x and z for MD and continuum, the plate drawn, one scale a field."""
 import numpy as np
+from matplotlib.colors import LogNorm, Normalize
 
 from slices import Stripes
 from style import PLATE, plt, save
 
 TOP = 21.0
 EMPTY_SHADE = "#e8e8e8"
-# Label, colour map, lowest, highest; what has a sign diverges about zero.
+# Label, colour map, lowest, highest; what has a sign diverges about zero, a lowest above zero asks for a logarithm.
 LOOKS = {
     "nu": (r"volume fraction $\nu$", "Blues", 0.0, 0.65),
     "u_x": (r"$u_x/\sqrt{g\sigma}$", "RdBu_r", -0.8, 0.8),
     "u_z": (r"$u_z/\sqrt{g\sigma}$", "RdBu_r", -6.0, 6.0),
     "T": (r"$T/(g\sigma)$", "inferno", 0.0, 1.5),
-    "P": (r"$P/(m g/\sigma^2)$", "viridis", 0.0, 20.0),
+    "P": (r"$P/(m g/\sigma^2)$", "viridis", 0.03, 100.0),
     "dP/dx": (r"$\partial_x P/(m g/\sigma^3)$", "RdBu_r", -1.5, 1.5),
 }
 RUNS = (("MD", "md_stripes", "md"), ("continuum", "continuum_stripes", "continuum"))
@@ -26,8 +27,9 @@ def both(study):
 def panel(axis, piece, field):
     """One field of one slice, with the plate; what the colour bar needs."""
     _, colours, low, high = LOOKS[field]
+    scale = LogNorm(low, high) if low > 0 else Normalize(low, high)
     axis.set_facecolor(EMPTY_SHADE)
-    image = axis.pcolormesh(piece.x, piece.z, piece.fields[field], cmap=colours, vmin=low, vmax=high, rasterized=True)
+    image = axis.pcolormesh(piece.x, piece.z, piece.fields[field], cmap=colours, norm=scale, rasterized=True)
     axis.axhline(piece.plate, color=PLATE, lw=2.2)
     axis.axhspan(-1, piece.plate, color="white", zorder=0)
     axis.set_ylim(-0.5, TOP)
