@@ -3,7 +3,6 @@
 import os
 import pathlib
 import subprocess
-import sys
 
 import rows
 import workflow
@@ -35,4 +34,4 @@ def make(root, out, all_figures, runs, figures, jobs, dry_run, command, title, m
     if code or dry_run:
         return code
     report = [root / "scripts/figures/chapter_report.py", out, command, title]
-    return subprocess.run([sys.executable, "-B", *map(str, report)], check=False).returncode
+    return subprocess.run(["/usr/bin/python3", "-B", *map(str, report)], check=False).returncode
