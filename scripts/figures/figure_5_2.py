@@ -65,6 +65,8 @@ def draw(study):
     upper.legend(loc="upper right")
     if factors:
         lower.plot(*zip(*factors), "^-", color=TEMPERATURE, lw=0.8, mfc="white")
+    else:
+        lower.text(0.5, 0.5, "no rows yet", transform=lower.transAxes, ha="center", fontsize=8)
     lower.axhline(1.0, color="0.5", lw=0.8)
     lower.set_xlabel(r"$f^* = f\sqrt{H/g}$")
     lower.set_ylabel("growth a cycle")
