@@ -10,13 +10,13 @@ from style import DENSITY, TEMPERATURE, plt, save
 
 NAME = "figure_5_2"
 CAPTION = (
-    "Figure 5.2. (a) Wavelength over depth of the strongest wave of a strip of 168 x 10, Gamma = 2.2: MD after 40 cycles (circles; open where the part "
-    "that alternates from cycle to cycle is within five of its errors, that is without a pattern), and the wave that grows fastest or fades slowest of those that alternate in the "
+    "Figure 5.2. (a) Wavelength over depth of the strongest wave of a strip of 168 x 10, Gamma = 2.2: MD after 40 cycles (circles; open where less than "
+    "a fifth of the power alternates from cycle to cycle, that is without a pattern), and the wave that grows fastest or fades slowest of those that alternate in the "
     "continuum (triangles; open where it fades). Bars: the wavelengths that the strip allows, half a wave more or less. Line: fit to experiments with "
     "its error. (b) Growth of that wave from cycle to cycle in the continuum, over cycles 8 to 15 from noise."
 )
 LENGTH, DEPTH = 168.0, 5.4
-ALTERNATES = 5.0        # standard errors by which the mean that alternates must differ from nothing, to be a pattern
+ALTERNATES = 0.2        # share of the power, less what noise leaves there, that alternates from cycle to cycle in a pattern
 SMALLEST = 0.1          # of the strongest alternating wave: below, others disturb the factor
 
 
@@ -51,7 +51,7 @@ def draw(study):
 
     for row in md:
         if row["waves_x"]:
-            point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent"] > ALTERNATES * row["coherent_error"], 0)
+            point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent_share"] > ALTERNATES, 0)
     factors = []
     for frequency in sorted({row["value"] for row in waves}):
         best = fastest([row for row in waves if row["value"] == frequency])
