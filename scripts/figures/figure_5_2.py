@@ -11,20 +11,17 @@ from style import DENSITY, TEMPERATURE, plt, save
 NAME = "figure_5_2"
 CAPTION = (
     "Figure 5.2. (a) Wavelength over depth of the strongest wave of a strip of 168 x 10, Gamma = 2.2: MD after 40 cycles (circles; open where less than "
-    "a fifth of the power alternates from cycle to cycle, that is without a pattern), and the wave that grows fastest or fades slowest of those that alternate in the "
-    "continuum (triangles; open where it fades). Bars: the wavelengths that the strip allows, half a wave more or less. Line: fit to experiments with "
-    "its error. (b) Growth of that wave from cycle to cycle in the continuum, over cycles 8 to 15 from noise."
+    "a fifth of the power alternates from cycle to cycle, that is without a pattern), and the strongest of the waves that alternate in the "
+    "continuum 8 to 15 cycles after a start from noise (triangles; open where it fades). Bars: the wavelengths that the strip allows, half a wave more or less. Line: fit to experiments with "
+    "its error. (b) Growth of that wave from cycle to cycle over these cycles."
 )
 LENGTH, DEPTH = 168.0, 5.4
 ALTERNATES = 0.2        # share of the power, less what noise leaves there, that alternates from cycle to cycle in a pattern
-SMALLEST = 0.1          # of the strongest alternating wave: below, others disturb the factor
 
 
-def fastest(rows):
-    """The alternating wave of the largest factor at one frequency; None where there is none."""
-    alternating = [row for row in rows if row["multiplier"] < 0]
-    strongest = max((row["root_mean_square"] for row in alternating), default=0.0)
-    return min((row for row in alternating if row["root_mean_square"] >= SMALLEST * strongest), key=lambda row: row["multiplier"], default=None)
+def strongest(rows):
+    """The alternating wave of the greatest power at one frequency, as the source takes it; None where none alternates."""
+    return max((row for row in rows if row["multiplier"] < 0), key=lambda row: row["root_mean_square"], default=None)
 
 
 def bars(waves):
@@ -54,12 +51,12 @@ def draw(study):
             point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent_share"] > ALTERNATES, 0)
     factors = []
     for frequency in sorted({row["value"] for row in waves}):
-        best = fastest([row for row in waves if row["value"] == frequency])
+        best = strongest([row for row in waves if row["value"] == frequency])
         if best:
             point("continuum", frequency, best["waves_x"], -best["multiplier"], "^", TEMPERATURE, best["multiplier"] < -1, 0.004)
             factors.append((frequency, -best["multiplier"]))
     upper.plot([], [], "o", color=DENSITY, label="MD")
-    upper.plot([], [], "^", color=TEMPERATURE, mfc="white", label="continuum, fastest wave (open: it fades)")
+    upper.plot([], [], "^", color=TEMPERATURE, mfc="white", label="continuum (open: it fades)")
     upper.axvline(fit["highest"], color="0.6", lw=0.8, ls=":")
     upper.set_ylabel(r"$\lambda/H$")
     upper.set_ylim(0, 22)
