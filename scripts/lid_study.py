@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """The lid study of chapter 4: runs the continuum with lids from 60 to 200 and holds z_cm against that of MD runs of data/scenes/ch4_shock.toml.
 
     scripts/lid_study.py MD_RUN_FOLDER ... [--shaken build/release/shaken]        e.g. out/ch4/runs/md_s1 and the others of scripts/reproduce ch4

@@ -1,4 +1,4 @@
-#!/usr/bin/env python3
+#!/usr/bin/python3
 """Mean and standard error over runs that differ in their seeds: scripts/mean_of_runs.py DIR DIR ...
 
 Reads summary.json of each folder. The rms difference of z_cm is taken of the mean z_cm of all runs, since noise adds to the

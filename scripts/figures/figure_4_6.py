@@ -13,8 +13,7 @@ SPEEDS = (("mean_speed", "from formation", 1.0, "o"), ("fully_formed_speed", "fr
 CAPTION = (
     "Figure 4.6. Mean speed of the shock in the frame of the plate until it leaves the layer, against e: MD (markers, mean over 16 states, "
     "bars of one standard error) and continuum (lines, bands of the grid error). From its formation (dark) and from full formation (pale). Left axis in "
-    "sqrt(g sigma), right axis in diameters a cycle. Bars that leave the axis (e = 0.75): with some states left out, noise"
-    " above the layer is taken for the shock at one phase."
+    "sqrt(g sigma), right axis in diameters a cycle."
 )
 
 
