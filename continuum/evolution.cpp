@@ -52,7 +52,8 @@ Evolution::Evolution(Setup setup)
             if (v != 0.0) return true;
         return false;
     };
-    transverse_ = grid().columns() > 1 || moves(setup_.flow.velocity_x) || moves(setup_.flow.velocity_y);
+    moves_along_x_ = grid().nx > 1 || moves(setup_.flow.velocity_x);
+    moves_along_y_ = grid().ny > 1 || moves(setup_.flow.velocity_y);
     initial_energy_ = total_energy();
 }
 
@@ -171,16 +172,19 @@ void Evolution::fail(double t, double dt) const {
             if (n > 0.0 && n < constants_.packing_density && temperature > 0.0 && std::isfinite(start_.velocity_z[i]) &&
                 std::isfinite(temperature))
                 continue;
-            throw RunFailed(fmt::format(
-                "continuum: no step can be made at time {:.6g} in the cycle (the last one tried was {:.3g}): column "
-                "({}, {}), height {:.4g} above the plate would reach volume fraction {:.6g} (packing {:.4g}), velocity "
-                "{:.6g}, temperature {:.6g}",
-                t, dt, column % grid().nx, column / grid().nx, grid().centre(iz), sphere_volume * n, kernels_.packing,
-                start_.velocity_z[i], temperature),
-                t);
+            throw RunFailed(fmt::format("continuum: no step can be made at time {:.6g} in the cycle (the last one "
+                                        "tried was {:.3g}): column "
+                                        "({}, {}), height {:.4g} above the plate would reach volume fraction {:.6g} "
+                                        "(packing {:.4g}), velocity "
+                                        "{:.6g}, temperature {:.6g}",
+                                        t, dt, column % grid().nx, column / grid().nx, grid().centre(iz),
+                                        sphere_volume * n, kernels_.packing, start_.velocity_z[i], temperature),
+                            t);
         }
-    throw RunFailed(fmt::format(
-        "continuum: no step can be made at time {:.6g} in the cycle (the last one tried was {:.3g})", t, dt), t);
+    throw RunFailed(
+        fmt::format("continuum: no step can be made at time {:.6g} in the cycle (the last one tried was {:.3g})", t,
+                    dt),
+        t);
 }
 
 double Evolution::bytes_per_cell() const {

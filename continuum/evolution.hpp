@@ -127,7 +127,7 @@ class Evolution : public Method {
     std::int64_t steps_ = 0;
     std::int64_t repeated_ = 0;
     std::int64_t relaxations_ = 0;
-    bool transverse_ = false;  // whether u_x or u_y can differ from 0
+    bool moves_along_x_ = false, moves_along_y_ = false;  // whether u_x, u_y can differ from 0
 };
 
 }  // namespace shaken::continuum

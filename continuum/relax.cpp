@@ -100,9 +100,10 @@ void Evolution::cool(std::int64_t column, double dt) {
 void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
     const std::int64_t nz = grid().nz, first = grid().first(column);
     Flow& flow = setup_.flow;
-    double* const fields[] = {flow.temperature.data() + first, flow.velocity_z.data() + first,
-                              flow.velocity_x.data() + first, flow.velocity_y.data() + first};
-    const std::size_t changing = transverse_ ? 4 : 2;
+    double* fields[4] = {flow.temperature.data() + first, flow.velocity_z.data() + first};
+    std::size_t changing = 2;
+    if (moves_along_x_) fields[changing++] = flow.velocity_x.data() + first;
+    if (moves_along_y_) fields[changing++] = flow.velocity_y.data() + first;
     const auto whole = [&](std::size_t k) { return work.row(15 + k); };
     const auto start = [&](std::size_t k) { return work.row(19 + k); };
     for (std::size_t k = 0; k < changing; ++k) std::copy(fields[k], fields[k] + nz, start(k));
@@ -118,18 +119,13 @@ void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
     diffuse_by_backward_euler(column, 0.5 * dt, work);
     diffuse_by_backward_euler(column, 0.5 * dt, work);
 
-    double* squares = start(0);  // d^2/3
-    const double *dx = whole(2), *dy = whole(3), *dz = whole(1), *t_whole = whole(0);
-    double* t = fields[0];
-    for (std::int64_t i = 0; i < nz; ++i) {
-        const double d = fields[1][i] - dz[i];
-        squares[i] = (1.0 / 3.0) * (d * d);
+    double *squares = start(0), *t = fields[0];  // d^2/3
+    const double* t_whole = whole(0);
+    std::fill(squares, squares + nz, 0.0);
+    for (std::size_t k = 1; k < changing; ++k) {
+        const double *u = fields[k], *u_whole = whole(k);
+        for (std::int64_t i = 0; i < nz; ++i) squares[i] += (1.0 / 3.0) * ((u[i] - u_whole[i]) * (u[i] - u_whole[i]));
     }
-    if (transverse_)
-        for (std::int64_t i = 0; i < nz; ++i) {
-            const double d_x = fields[2][i] - dx[i], d_y = fields[3][i] - dy[i];
-            squares[i] += (1.0 / 3.0) * (d_x * d_x + d_y * d_y);
-        }
     double most = 0.0;  // of what s = 1 takes, as a share of half the temperature
     for (std::int64_t i = 0; i < nz; ++i) {
         const double taken = t_whole[i] - t[i] + 2.0 * squares[i];
@@ -212,20 +208,23 @@ void Evolution::diffuse_by_backward_euler(std::int64_t column, double dt, Worksp
         books.plate_impulse -= dz * coupling[0] * values[0];
         books.lid_impulse += dz * coupling[nz] * values[nz - 1];
     }
-    if (transverse_) {
-        double *velocity_x = setup_.flow.velocity_x.data() + first, *velocity_y = setup_.flow.velocity_y.data() + first;
+    const auto diffuse_one = [&](double* velocity) {
+        momentum(velocity, values);
+        solve(density, values);
+        take_over(velocity, values);
+    };
+    double *velocity_x = setup_.flow.velocity_x.data() + first, *velocity_y = setup_.flow.velocity_y.data() + first;
+    if (moves_along_x_ || moves_along_y_) couple(shear, false, false);
+    if (moves_along_x_ && moves_along_y_ && !ring) {
         double* values_y = axial;
-        couple(shear, false, false);
         momentum(velocity_x, values);
         momentum(velocity_y, values_y);
-        if (ring) {
-            solve(density, values);
-            solve(density, values_y);
-        } else {
-            solve_diffusion(nz, density, coupling, std::array{values, values_y}, ratio);
-        }
+        solve_diffusion(nz, density, coupling, std::array{values, values_y}, ratio);
         take_over(velocity_x, values);
         take_over(velocity_y, values_y);
+    } else {
+        if (moves_along_x_) diffuse_one(velocity_x);
+        if (moves_along_y_) diffuse_one(velocity_y);
     }
 
     const double lower_temperature = ends.lower.temperature.value_or(0.0);
