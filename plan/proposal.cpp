@@ -74,8 +74,12 @@ std::vector<Reason> reasons_of(Trials& trials, const Proposal& p) {
         say("dimension", "1",
             fmt::format(
                 "no wave fits: the box is {}, a pattern's wave {:.3g} long (H (1 + 1.1 f*^-1.32)); one column gives "
-                "the same z_cm as a grid of them",
-                box, wavelength));
+                "the same z_cm as a grid of them{}",
+                box, wavelength,
+                may_hold_pattern(scene)
+                    ? "; but ch4_shock, in a box as wide for its wave, had one, and z_cm 4 % off: look "
+                      "at `shaken patterns` of the MD, at several phases"
+                    : ""));
     else
         say("dimension", fmt::format("{}", c.dimension),
             fmt::format("waves of {:.3g} fit along {} of {}", wavelength, c.dimension == 2 ? "one side" : "both sides",

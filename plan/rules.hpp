@@ -16,6 +16,9 @@ double pattern_wavelength(const scene::Scene& scene);
 /// Whether a wave fits along the longer side of the box; waves down to 0.6 of the formula's live too.
 bool holds_pattern(const scene::Scene& scene);
 
+/// Whether the longer side is below that and yet above 0.37 of the formula's wave, where one deep layer has a wave.
+bool may_hold_pattern(const scene::Scene& scene);
+
 /// 1 where nothing varies across columns, 2 where waves fit along one side alone, else 3.
 int needed_dimension(const scene::Scene& scene);
 

@@ -15,7 +15,7 @@ AXES = (("cpu_seconds", "CPU seconds, settling included"), ("work", "collisions,
 FLOORS = (("floor_width", 10, "-", "box 10 wide"), ("floor_width", 20, "--", "box 20 wide"), ("floor_bin", 0.5, ":", "bins of 0.5"))
 CAPTION = (
     "Statistical error of the MD on ch4_shock, per cent: rms distance of shorter runs from the mean of all long ones. It falls as the square root of the averaged cycles "
-    "(dashed guide); 15 cycles of settling are paid first. Horizontal lines: what does not fall, the distance of a narrow box's mean from that of 40 x 40, and what bins lose."
+    "(dashed guide); 15 cycles of settling are paid first. Horizontal lines: what does not fall, the distance of a narrow box's mean from that of the widest, and what bins lose."
 )
 
 

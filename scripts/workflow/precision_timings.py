@@ -17,7 +17,7 @@ import precision_points as table
 
 SECONDS = 0.4
 # A cycle of grains has cheap parts and dear ones, so that a few cycles are timed, by width.
-SECONDS_OF_GRAINS = {10: 0.8, 20: 2.0, 40: 4.0}
+SECONDS_OF_GRAINS = {10: 0.8, 20: 2.0, 28: 3.0}
 REPEATS = 10
 BUSY = 0.5  # load above which CPU seconds scatter
 

@@ -28,6 +28,8 @@ TEST_CASE("a square that holds waves is 3D, a strip 2D, a box below one wave 1D"
     CHECK(plan::needed_dimension(stripes({"box.x=10", "particles.number=2520"})) == 2);
     CHECK(plan::needed_dimension(stripes({"box.x=12", "box.y=12", "particles.number=864"})) == 1);
     CHECK_FALSE(plan::holds_pattern(stripes({"box.x=12", "box.y=12", "particles.number=864"})));
+    CHECK(plan::may_hold_pattern(stripes({"box.x=12", "box.y=12", "particles.number=864"})));
+    CHECK_FALSE(plan::may_hold_pattern(stripes({"box.x=8", "box.y=8", "particles.number=384"})));
 }
 
 TEST_CASE("a flat layer's cell keeps the particles an area, and never grows") {
