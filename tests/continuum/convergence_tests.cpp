@@ -6,7 +6,9 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
 #include <numbers>
+#include <vector>
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
@@ -59,6 +61,19 @@ double error(std::int64_t cells, const char* scheme, double cfl) {
     return sum / static_cast<double>(cells);
 }
 
+/// How far the fields at the end are from those of 16 times as many steps, with `steps` steps and with twice as many.
+std::array<double, 2> errors_in_time(const std::function<std::vector<double>(std::int64_t)>& field_after,
+                                     std::int64_t steps) {
+    const std::vector<double> exact = field_after(16 * steps);
+    const auto error = [&](std::int64_t n) {
+        const std::vector<double> found = field_after(n);
+        double sum = 0.0;
+        for (std::size_t i = 0; i < found.size(); ++i) sum += std::abs(found[i] - exact[i]);
+        return sum / static_cast<double>(found.size());
+    };
+    return {error(steps), error(2 * steps)};
+}
+
 }  // namespace
 
 TEST_CASE("the error of a smooth wave falls with the order of the scheme", "[convergence]") {
@@ -94,14 +109,7 @@ TEST_CASE("the error of a smooth wave falls with the order of the integrator", "
         for (std::int64_t k = 0; k < steps; ++k) evolution.step(0.0, dt);
         return cases::inside(evolution, evolution.flow().density);
     };
-    const std::vector<double> exact = density(1280);
-    const auto difference = [&](std::int64_t steps) {
-        const std::vector<double> n = density(steps);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < n.size(); ++i) sum += std::abs(n[i] - exact[i]) / static_cast<double>(n.size());
-        return sum;
-    };
-    const double coarse = difference(80), fine = difference(160);
+    const auto [coarse, fine] = errors_in_time(density, 80);
     const double order = std::log2(coarse / fine);
     std::printf("%-8s in time   %.3e  %.3e   order %.2f\n", c.scheme, coarse, fine, order);
     // Limiters and weights are not smooth functions of the state: a fifth of an order.
@@ -125,14 +133,7 @@ TEST_CASE("waves with viscosity and conduction and cooling are second order in t
         for (std::int64_t k = 0; k < steps; ++k) evolution.step(0.0, dt);
         return cases::inside(evolution, evolution.flow().temperature);
     };
-    const std::vector<double> exact = temperature(2560);
-    const auto difference = [&](std::int64_t steps) {
-        const std::vector<double> t = temperature(steps);
-        double sum = 0.0;
-        for (std::size_t i = 0; i < t.size(); ++i) sum += std::abs(t[i] - exact[i]) / static_cast<double>(t.size());
-        return sum;
-    };
-    const double coarse = difference(80), fine = difference(160);
+    const auto [coarse, fine] = errors_in_time(temperature, 80);
     const double order = std::log2(coarse / fine);
     std::printf("e = %.1f %-16s all terms, in time   %.3e  %.3e   order %.2f\n", restitution, closure, coarse, fine,
                 order);
