@@ -53,17 +53,19 @@ Heights heights_of(const Sampler& sampler, std::int64_t phases_kept, std::size_t
     return heights;
 }
 
-/// Writes what a run of so many averages leaves, and throws it away.
+/// Writes what a run of so many averages leaves, a checkpoint at its start and one at its end, and throws it away.
 template <class Engine, class Sampler>
 double seconds_to_leave(const Engine& engine, const Sampler& sampler) {
     const double begin = cpu_seconds();
     const std::filesystem::path aside =
         std::filesystem::temp_directory_path() / ("shaken_plan_" + std::to_string(::getpid()));
-    {
+    for (int written = 0; written < 2; ++written) {
         files::CheckpointWriter checkpoint;
         engine.save(checkpoint);
         sampler.save(checkpoint);
         checkpoint.commit(aside);
+    }
+    {
         files::Hdf5File averages(aside.string() + ".h5", files::Open::create);
         sampler.moments().write(averages, "/profiles");
         averages.close();
