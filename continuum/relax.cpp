@@ -170,11 +170,11 @@ void Evolution::diffuse_by_backward_euler(std::int64_t column, double dt, Worksp
         coupling[nz] = upper_wall ? 4.0 * coefficient[nz - 1] : 0.0;
         if (ring) coupling[0] = coupling[nz] = coefficient[0] + coefficient[nz - 1];
     };
-    const auto solve = [&](const double* capacity, double* unknown) {
+    const auto solve = [&](const double* capacity) {
         if (ring)
-            solve_periodic_diffusion(nz, capacity, coupling, unknown, ratio, work.row(13), work.row(14));
+            solve_periodic_diffusion(nz, capacity, coupling, values, ratio, work.row(13), work.row(14));
         else
-            solve_diffusion(nz, capacity, coupling, unknown, ratio);
+            solve_diffusion(nz, capacity, coupling, values, ratio);
     };
     const auto momentum = [&](const double* velocity, double* out) {
         for (std::int64_t i = 0; i < nz; ++i) out[i] = density[i] * velocity[i];
@@ -197,22 +197,19 @@ void Evolution::diffuse_by_backward_euler(std::int64_t column, double dt, Worksp
         }
         for (std::int64_t i = 0; i < nz; ++i) velocity[i] = diffused[i];
     };
+    const auto diffuse_one = [&](double* velocity) {
+        momentum(velocity, values);
+        solve(density);
+        take_over(velocity, values);
+    };
     const Boundaries& ends = setup_.boundaries;
     Ledger& books = books_[static_cast<std::size_t>(column)];
-    double* velocity_z = setup_.flow.velocity_z.data() + first;
     couple(axial, ends.lower.end == End::wall, ends.upper.end == End::wall);
-    momentum(velocity_z, values);
-    solve(density, values);
-    take_over(velocity_z, values);
+    diffuse_one(setup_.flow.velocity_z.data() + first);
     if (!ring) {
         books.plate_impulse -= dz * coupling[0] * values[0];
         books.lid_impulse += dz * coupling[nz] * values[nz - 1];
     }
-    const auto diffuse_one = [&](double* velocity) {
-        momentum(velocity, values);
-        solve(density, values);
-        take_over(velocity, values);
-    };
     double *velocity_x = setup_.flow.velocity_x.data() + first, *velocity_y = setup_.flow.velocity_y.data() + first;
     if (moves_along_x_ || moves_along_y_) couple(shear, false, false);
     if (moves_along_x_ && moves_along_y_ && !ring) {
@@ -241,7 +238,7 @@ void Evolution::diffuse_by_backward_euler(std::int64_t column, double dt, Worksp
         values[nz - 1] += coupling[nz] * upper_temperature;
     }
     if (kernels_.density_drives_heat) add_heat_of_density_gradient(column, dt, reduced.density_conductivity, values);
-    solve(capacity, values);
+    solve(capacity);
     if (!ring)
         books.boundary_gain +=
             dz * (coupling[0] * (lower_temperature - values[0]) + coupling[nz] * (upper_temperature - values[nz - 1]));
