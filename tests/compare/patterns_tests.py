@@ -94,7 +94,7 @@ class Stripes(unittest.TestCase):
         kept = {row["value"]: row["multiplier"] for row in tables.rows("ch5_growth.csv")
                 if row["command"].endswith("continuum.closure=jenkins_richman --set continuum.pair_correlation=goldshtein")}
         for gamma in (2.2, 3.6):
-            # The rows' digits; the step's first order in time moves a growth by less (docs/numerics.md).
+            # The rows are older than the hold on mixed stresses in thin gas, which moves a growth by 0.01 (0.876 to 0.868 at 2.6).
             self.assertAlmostEqual(growth(gamma), kept[gamma], delta=0.02)
         self.assertLess(abs(growth(2.2)), 0.85)
         self.assertGreater(abs(growth(3.6)), 1.0)
