@@ -16,6 +16,17 @@ constexpr double share_of_cell = 0.4, share_of_statistics = 0.85;
 constexpr double bytes_a_bin = 560;      // ten blocks of seven moments (fields/phase_moments.hpp)
 constexpr double largest_trial = 20000;  // particles
 
+/// The scene in that cell, or in a part of it: a flat layer's spread falls as one over the root of the area, its time
+/// grows with the particles.
+scene::Scene trial_of(const scene::Scene& given, const ContinuumPlan& continuum, const FlatBox& cell) {
+    scene::Scene trial = planned_scene(given, continuum);
+    const double shrink = std::sqrt(std::min(1.0, largest_trial / static_cast<double>(cell.number)));
+    trial.number_of_particles = std::llround(shrink * shrink * static_cast<double>(cell.number));
+    trial.box.x = cell.x * shrink;
+    trial.box.y = cell.y * shrink;
+    return trial;
+}
+
 }  // namespace
 
 double MdPlan::error() const { return std::hypot(std::hypot(statistics, start), std::hypot(cell, drift)); }
@@ -26,23 +37,21 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     plan.settle = continuum.settle;
     const bool flat = continuum.dimension == 1;
     const FlatBox whole{given.number_of_particles, given.box.x, given.box.y};
-    const FlatBox small = flat ? flat_box(given) : whole;
+    FlatBox small = flat ? flat_box(given) : whole;
+    const Grains* tried = trials.grains(trial_of(given, continuum, small), continuum.settle_of_trial, false);
+    if (!tried) {
+        plan.small_cell_collapses = true;
+        small = whole;
+        tried = trials.grains(trial_of(given, continuum, whole), continuum.settle_of_trial, true);
+    }
+    const Grains& grains = *tried;
     const bool small_enough = flat && flat_width_error <= share_of_cell * error;
     const FlatBox chosen = small_enough ? small : whole;
     plan.particles = chosen.number;
     plan.box_x = chosen.x;
     plan.box_y = chosen.y;
     plan.cell = chosen.number < whole.number ? flat_width_error : 0.0;
-
-    // The trial's cell: a flat layer's spread falls as one over the root of the area, its time grows with the
-    // particles.
-    scene::Scene trial = planned_scene(given, continuum);
-    const double shrink = std::sqrt(std::min(1.0, largest_trial / static_cast<double>(small.number)));
-    trial.number_of_particles = std::llround(shrink * shrink * static_cast<double>(small.number));
-    trial.box.x = small.x * shrink;
-    trial.box.y = small.y * shrink;
-    const Grains& grains = trials.grains(trial, continuum.settle_of_trial);
-    const double share = static_cast<double>(trial.number_of_particles) / static_cast<double>(chosen.number);
+    const double share = static_cast<double>(grains.particles) / static_cast<double>(chosen.number);
 
     const Spread found = spread(grains.heights, static_cast<std::size_t>(grains.settled));
     const double one_cycle = found.value * std::sqrt(share);
@@ -58,7 +67,7 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
                        found.value);
     plan.start = continuum.start * static_cast<double>(std::min(continuum.average, plan.average)) /
                  static_cast<double>(plan.average);
-    plan.seconds = static_cast<double>(plan.seeds) * (trials.start_of_program() + grains.seconds_to_leave +
+    plan.seconds = static_cast<double>(plan.seeds) * (trials.start_of_program() + grains.seconds_once +
                                                       seconds_of(grains, plan.settle + plan.average) / share);
     const double bins = continuum.lid / given.sample.bin;
     plan.bytes = grains.bytes_per_particle * static_cast<double>(plan.particles) +

@@ -15,6 +15,7 @@
 #include "continuum/solver.hpp"
 #include "files/checkpoint.hpp"
 #include "files/hdf5.hpp"
+#include "md/errors.hpp"
 #include "md/simulation.hpp"
 #include "plan/wish.hpp"
 
@@ -87,7 +88,9 @@ scene::Scene one_column(const scene::Scene& given, const std::string& scheme, do
 }
 
 Column run_column(const scene::Scene& scene) {
+    const double first = cpu_seconds();
     continuum::Solver solver(scene);
+    const double setting_up = cpu_seconds() - first;
     compare::ContinuumSampler sampler(scene);
     // What is left grows with the cycles averaged over, of which a plan's continuum has two as a rule.
     scene::Scene end = scene;
@@ -107,7 +110,47 @@ Column run_column(const scene::Scene& scene) {
     const auto cycles = static_cast<double>(scene.sample.average);
     return {heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(scene.sample.average)),
             (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles,
-            seconds_to_leave(solver, sampler_of_end)};
+            setting_up + seconds_to_leave(solver, sampler_of_end)};
+}
+
+/// settle cycles, then as many as the budget allows.
+Grains run_grains(const scene::Scene& planned, std::int64_t settle, double budget) {
+    const scene::Scene scene = sampled_from_start(planned, settle + most_md_cycles);
+    Grains grains;
+    const double start = cpu_seconds();
+    md::Simulation simulation(scene);
+    grains.seconds_once = cpu_seconds() - start;
+    compare::MdSampler sampler(scene);
+    // Fills each of its ten blocks, as a run does: empty ones would be written in no time.
+    compare::MdSampler sampler_of_run(sampled_from_start(planned, least_md_cycles));
+    const double period = scene.motion.period();
+    double recorded = 0.0;  // as a run does at every sample
+    std::int64_t cycle = 0;
+    for (; cycle < settle + most_md_cycles; ++cycle) {
+        if (cycle >= settle + least_md_cycles && cpu_seconds() - start > budget) break;
+        double seconds = 0.0;
+        for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
+            const double begin = cpu_seconds();
+            simulation.advance_to(cycle,
+                                  period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
+            const md::Snapshot snapshot = simulation.snapshot();
+            sampler.sample(snapshot, cycle, phase);
+            recorded += simulation.ledger().kinetic;
+            seconds += cpu_seconds() - begin;
+            sampler_of_run.sample(snapshot, cycle, phase);
+        }
+        grains.seconds.push_back(seconds);
+    }
+    if (!std::isfinite(recorded)) throw CannotPlan("plan: the trial of the MD is not finite");
+    grains.heights = heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(cycle));
+    grains.settled = settle;
+    grains.seconds_once += seconds_to_leave(simulation, sampler_of_run);
+    grains.particles = simulation.particles();
+    const auto number = static_cast<double>(grains.particles);
+    grains.bytes_per_particle = static_cast<double>(simulation.memory()) / number;
+    grains.ceiling_contacts =
+        static_cast<double>(simulation.counters().ceiling_collisions) / number / static_cast<double>(cycle);
+    return grains;
 }
 
 }  // namespace
@@ -163,37 +206,15 @@ double seconds_of(const Grains& grains, std::int64_t cycles) {
     return first + late * static_cast<double>(std::max<std::int64_t>(0, cycles - known));
 }
 
-const Grains& Trials::grains(const scene::Scene& planned, std::int64_t settle) {
-    if (grains_) return *grains_;
-    const scene::Scene scene = sampled_from_start(planned, settle + most_md_cycles);
-    md::Simulation simulation(scene);
-    compare::MdSampler sampler(scene);
-    const double period = scene.motion.period();
-    const double start = cpu_seconds();
-    Grains grains;
-    double recorded = 0.0;  // as a run does at every sample
-    std::int64_t cycle = 0;
-    for (; cycle < settle + most_md_cycles; ++cycle) {
-        if (cycle >= settle + least_md_cycles && cpu_seconds() - start > budget_) break;
-        const double cycle_begin = cpu_seconds();
-        for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
-            simulation.advance_to(cycle,
-                                  period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
-            sampler.sample(simulation.snapshot(), cycle, phase);
-            recorded += simulation.ledger().kinetic;
+const Grains* Trials::grains(const scene::Scene& planned, std::int64_t settle, bool needed) {
+    const auto [place, is_new] = grains_.try_emplace(planned.number_of_particles);
+    std::optional<Grains>& kept = place->second;
+    if (is_new || (needed && !kept)) try {
+            kept = run_grains(planned, settle, budget_);
+        } catch (const md::Stalled&) {
+            if (needed) throw;
         }
-        grains.seconds.push_back(cpu_seconds() - cycle_begin);
-    }
-    if (!std::isfinite(recorded)) throw CannotPlan("plan: the trial of the MD is not finite");
-    grains.heights = heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(cycle));
-    grains.settled = settle;
-    grains.seconds_to_leave = seconds_to_leave(simulation, sampler);
-    grains.particles = simulation.particles();
-    const auto number = static_cast<double>(grains.particles);
-    grains.bytes_per_particle = static_cast<double>(simulation.memory()) / number;
-    grains.ceiling_contacts =
-        static_cast<double>(simulation.counters().ceiling_collisions) / number / static_cast<double>(cycle);
-    return *(grains_ = std::move(grains));
+    return kept ? &*kept : nullptr;
 }
 
 double Trials::seconds_per_update(const scene::Scene& planned) {

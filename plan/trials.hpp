@@ -22,7 +22,7 @@ double cpu_seconds();
 struct Column {
     Heights heights;
     double seconds_per_cycle = 0.0, steps_per_cycle = 0.0;
-    double seconds_to_leave = 0.0;  // a checkpoint and a file of averages, as at the end of a run
+    double seconds_once = 0.0;  // of every run: its engine, two checkpoints and a file of averages
 };
 
 /// The MD in the cell of the scene that it was given.
@@ -30,7 +30,7 @@ struct Grains {
     Heights heights;
     std::int64_t settled = 0;     // cycles left out of the spread
     std::vector<double> seconds;  // of each cycle: the first ones, from a warm start, take more
-    double seconds_to_leave = 0.0;
+    double seconds_once = 0.0;    // as the column's
     std::int64_t particles = 0;
     double bytes_per_particle = 0.0;
     double ceiling_contacts = 0.0;  // of each particle in a cycle
@@ -49,8 +49,9 @@ class Trials {
     const Column* column(const std::string& scheme, double spacing, double lid, std::size_t cycles, bool needed);
     /// z_cm of a run of 48 cycles at twenty samples a cycle, for comparison with other lids and for the settling time.
     const Heights* under_lid(const std::string& scheme, double spacing, double lid);
-    /// Of the planned scene: its particles and cell; settle cycles, then up to 96, at least 16.
-    const Grains& grains(const scene::Scene& planned, std::int64_t settle);
+    /// Of the planned scene: its particles and cell; settle cycles, then up to 96, at least 16. Where the grains
+    /// collapse, nothing, or, if needed, the MD's own error.
+    const Grains* grains(const scene::Scene& planned, std::int64_t settle, bool needed);
     /// CPU seconds to take one cell of the planned grid through one step, from a patch of at most 8 x 8 columns.
     double seconds_per_update(const scene::Scene& planned);
 
@@ -66,7 +67,7 @@ class Trials {
     double spent_columns_ = 0.0;
     std::map<std::tuple<std::string, double, double>, std::optional<Column>> columns_;
     std::map<std::tuple<std::string, double, double>, std::optional<Heights>> lids_;
-    std::optional<Grains> grains_;
+    std::map<std::int64_t, std::optional<Grains>> grains_;  // by number of particles
     std::map<int, double> updates_;
 };
 
