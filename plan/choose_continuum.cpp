@@ -73,7 +73,7 @@ Profile sum_of(Profile a, const Profile& b) {
 
 /// Measured on one grid: its error and its time and steps a cycle.
 struct Level {
-    double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0, seconds_once = 0.0;
+    double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0, begin = 0.0, leave = 0.0;
     Profile profile{}, deviation{};
 };
 
@@ -91,8 +91,8 @@ std::vector<Level> measure_levels(Trials& trials, const ContinuumPlan& plan, dou
             if (levels.empty()) continue;
             break;
         }
-        levels.push_back({spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, column->seconds_once,
-                          mean(column->heights, settle, cycles)});
+        levels.push_back({spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, column->seconds_to_begin,
+                          column->seconds_to_leave, mean(column->heights, settle, cycles)});
         if (levels.size() < 2) continue;
         Level& last = levels.back();
         last.deviation = deviation(levels[levels.size() - 2].profile, last.profile);
@@ -208,7 +208,7 @@ ContinuumPlan choose_continuum(Trials& trials, double error) {
     }
     plan.floor = scheme.least_error;
     plan.together = sum_of(sum_of(deviation_at(levels, plan.spacing, plan.grid), off_lid), off_start);
-    put_cost(trials, plan, trials.start_of_program() + levels.front().seconds_once,
+    put_cost(trials, plan, trials.start_of_program() + levels.front().begin + plan.lid / base * levels.front().leave,
              plan.lid / base * interpolate(levels, plan.spacing, &Level::seconds, -2.0),
              interpolate(levels, plan.spacing, &Level::steps, -1.0));
     return plan;

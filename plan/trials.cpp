@@ -90,7 +90,7 @@ scene::Scene one_column(const scene::Scene& given, const std::string& scheme, do
 Column run_column(const scene::Scene& scene) {
     const double first = cpu_seconds();
     continuum::Solver solver(scene);
-    const double setting_up = cpu_seconds() - first;
+    const double seconds_to_begin = cpu_seconds() - first;
     compare::ContinuumSampler sampler(scene);
     // What is left grows with the cycles averaged over, of which a plan's continuum has two as a rule.
     scene::Scene end = scene;
@@ -109,8 +109,8 @@ Column run_column(const scene::Scene& scene) {
     if (!std::isfinite(recorded)) throw continuum::RunFailed("continuum: a trial is not finite", 0.0);
     const auto cycles = static_cast<double>(scene.sample.average);
     return {heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(scene.sample.average)),
-            (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles,
-            setting_up + seconds_to_leave(solver, sampler_of_end)};
+            (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles, seconds_to_begin,
+            seconds_to_leave(solver, sampler_of_end)};
 }
 
 /// settle cycles, then as many as the budget allows.

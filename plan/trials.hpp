@@ -22,7 +22,8 @@ double cpu_seconds();
 struct Column {
     Heights heights;
     double seconds_per_cycle = 0.0, steps_per_cycle = 0.0;
-    double seconds_once = 0.0;  // of every run: its engine, two checkpoints and a file of averages
+    double seconds_to_begin = 0.0;  // the solver, with its tables
+    double seconds_to_leave = 0.0;  // two checkpoints and a file of averages, which grow with the lid
 };
 
 /// The MD in the cell of the scene that it was given.
@@ -30,7 +31,7 @@ struct Grains {
     Heights heights;
     std::int64_t settled = 0;     // cycles left out of the spread
     std::vector<double> seconds;  // of each cycle: the first ones, from a warm start, take more
-    double seconds_once = 0.0;    // as the column's
+    double seconds_once = 0.0;    // of every run: its particles, two checkpoints and a file of averages
     std::int64_t particles = 0;
     double bytes_per_particle = 0.0;
     double ceiling_contacts = 0.0;  // of each particle in a cycle

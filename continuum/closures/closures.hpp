@@ -7,11 +7,13 @@
 #include "continuum/closures/garzo_dufty.hpp"
 #include "continuum/closures/goldshtein.hpp"
 #include "continuum/closures/jenkins_richman.hpp"
+#include "continuum/closures/jenkins_richman_bocquet.hpp"
 #include "continuum/closures/jenkins_richman_dense.hpp"
+#include "continuum/closures/jenkins_richman_fluid.hpp"
 
 namespace shaken::continuum {
 
 using PairCorrelations = Choices<Goldshtein, CarnahanStarling>;
-using Closures = Choices<JenkinsRichman, JenkinsRichmanDense, GarzoDufty>;
+using Closures = Choices<JenkinsRichman, JenkinsRichmanDense, JenkinsRichmanFluid, JenkinsRichmanBocquet, GarzoDufty>;
 
 }  // namespace shaken::continuum

@@ -20,6 +20,8 @@ CHOICES = {
     ("jenkins_richman", "carnahan_starling", "muscl"): ("carnahan_starling", "#2166ac"),
     ("garzo_dufty", "goldshtein", "muscl"): ("garzo_dufty", "#b2182b"),
     ("jenkins_richman_dense", "goldshtein", "muscl"): ("no 1/G terms", "#1b7837"),
+    ("jenkins_richman_fluid", "goldshtein", "muscl"): ("fluid's transport", "#35978f"),
+    ("jenkins_richman_bocquet", "goldshtein", "muscl"): ("Bocquet's viscosity", "#8c510a"),
     ("jenkins_richman", "goldshtein", "ftcs"): ("ftcs", "#e08214"),
     ("jenkins_richman_dense", "goldshtein", "ftcs"): ("ftcs, no 1/G terms", "#7a3b9a"),
 }
@@ -32,7 +34,7 @@ def family(row):
     """What a row's run was of: choice, C_AD, e of the sink, width of the columns."""
     return (tables.setting(row, "continuum.closure", "jenkins_richman"), tables.setting(row, "continuum.pair_correlation", "goldshtein"),
             tables.setting(row, "continuum.scheme", "muscl"), tables.setting(row, "continuum.artificial_dissipation", DISSIPATION),
-            tables.setting(row, "continuum.restitution", "e(v)"), float(tables.setting(row, "continuum.spacing_horizontal", "2")))
+            tables.setting(row, "continuum.restitution", "e(v)"), float(tables.setting(row, "continuum.spacing_horizontal", "1")))
 
 
 def draw(study):

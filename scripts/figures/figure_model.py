@@ -8,13 +8,13 @@ from style import DENSITY, TEMPERATURE, plt, save
 from work_precision_chart import columns_of, main, select, sign
 
 NAME = "figure_model"
-CLOSURES = ("jenkins_richman/goldshtein", "jenkins_richman/carnahan_starling", "garzo_dufty/goldshtein", "garzo_dufty/carnahan_starling", "jenkins_richman_dense/goldshtein")
-SHORT = ("JR\nG", "JR\nCS", "GD\nG", "GD\nCS", "JR dense\nG")
+SHORT = {"jenkins_richman/goldshtein": "JR\nG", "jenkins_richman/carnahan_starling": "JR\nCS", "garzo_dufty/goldshtein": "GD\nG", "garzo_dufty/carnahan_starling": "GD\nCS",
+         "jenkins_richman_dense/goldshtein": "dense\nG", "jenkins_richman_fluid/goldshtein": "fluid\nG", "jenkins_richman_bocquet/goldshtein": "Bocq.\nG"}
 PANELS = (("z_cm", r"$z_{cm}(ft)$"), ("density", "$n$ over the layer"), ("velocity", "$u$ over the layer"), ("temperature", "$T$ over the layer"), ("shock_location", "height of the shock"))
 LOOKS = {(80.0, ""): ("o", DENSITY, DENSITY), (80.0, "_half_diameter"): ("o", "white", DENSITY),
          (200.0, ""): ("s", TEMPERATURE, TEMPERATURE), (200.0, "_half_diameter"): ("s", "white", TEMPERATURE)}
 CAPTION = (
-    "Error of the model on ch4_shock, per cent: the continuum at its default grid against the mean of the long MD runs, for each closure (JR: jenkins_richman, GD: garzo_dufty; "
+    "Error of the model on ch4_shock, per cent: the continuum at its default grid against the mean of the long MD runs, for each closure (JR: jenkins_richman, dense, fluid and Bocq.: its variants of these names, GD: garzo_dufty; "
     "G: goldshtein, CS: carnahan_starling). Bands: error of the default grid (blue) and statistical error of the default MD run (red); whatever lies above them no finer grid and no "
     "longer run will remove."
 )
@@ -29,7 +29,7 @@ def panel(axis, rows, quantity):
     shown = select(rows, study="model")
     grid, statistics = of_default(rows, "ch4_shock", quantity, "dz"), of_default(rows, "md", quantity, "cycles")
     for (lid, suffix), (marker, fill, edge) in LOOKS.items():
-        for i, closure in enumerate(CLOSURES):
+        for i, closure in enumerate(SHORT):
             for r in select(shown, scheme=closure, value=lid, quantity=quantity + suffix):
                 place = i + (-0.12 if lid == 80.0 else 0.12)
                 axis.errorbar(place, r["error_percent"], yerr=r["error_of_error"], marker=marker, color=edge, mfc=fill, ms=6)
@@ -40,9 +40,9 @@ def panel(axis, rows, quantity):
     for percent, words, colour in ((statistics, "statistics, 150 cycles ", TEMPERATURE), (grid, r"grid, $\Delta z$ = 0.2 ", DENSITY)):
         if np.isfinite(percent):
             axis.axhspan(axis.get_ylim()[0], percent, color=colour, alpha=0.15, lw=0)
-            axis.text(4.45, percent, words, ha="right", va="bottom", fontsize=6.5, color=colour)
-    axis.set_xlim(-0.5, 4.5)
-    axis.set_xticks(range(len(CLOSURES)), SHORT, fontsize=7)
+            axis.text(len(SHORT) - 0.55, percent, words, ha="right", va="bottom", fontsize=6.5, color=colour)
+    axis.set_xlim(-0.5, len(SHORT) - 0.5)
+    axis.set_xticks(range(len(SHORT)), SHORT.values(), fontsize=7)
     axis.tick_params(axis="x", which="both", length=0)
 
 

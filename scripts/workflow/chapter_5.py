@@ -27,6 +27,9 @@ CHOICES = {
     "carnahan_starling": ("continuum.closure=jenkins_richman", "continuum.pair_correlation=carnahan_starling"),
     "carnahan_starling, constant e": ("continuum.closure=jenkins_richman", "continuum.pair_correlation=carnahan_starling") + CONSTANT,
     "garzo_dufty": ("continuum.closure=garzo_dufty", "continuum.pair_correlation=goldshtein"),
+    "fluid transport": ("continuum.closure=jenkins_richman_fluid", "continuum.pair_correlation=goldshtein"),
+    "fluid transport, constant e": ("continuum.closure=jenkins_richman_fluid", "continuum.pair_correlation=goldshtein") + CONSTANT,
+    "Bocquet's viscosity": ("continuum.closure=jenkins_richman_bocquet", "continuum.pair_correlation=goldshtein"),
     "no 1/G terms": ("continuum.closure=jenkins_richman_dense", "continuum.pair_correlation=goldshtein"),
     "no 1/G terms, constant e": ("continuum.closure=jenkins_richman_dense", "continuum.pair_correlation=goldshtein") + CONSTANT,
     "ftcs, C_AD 0.1": GOLDSHTEIN + ("continuum.scheme=ftcs",),
@@ -34,9 +37,9 @@ CHOICES = {
     "the source's: ftcs, no 1/G terms, constant e": ("continuum.closure=jenkins_richman_dense", "continuum.pair_correlation=goldshtein")
     + CONSTANT + ("continuum.scheme=ftcs",),
 }
-# The row of dx = 2 is the scene's own spacing, and its command does not name it.
-GRIDS = {"dx 2": (), "dx 1": ("continuum.spacing_horizontal=1.0",)}
-ACCELERATIONS = ("2.0", "2.2", "2.4", "2.6", "2.8", "3.0", "3.2", "3.4", "3.6")
+# The row of dx = 1 is the scene's own spacing, and its command does not name it.
+GRIDS = {"dx 2": ("continuum.spacing_horizontal=2",), "dx 1": ()}
+ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 
 
 def growth_rows():

@@ -14,7 +14,7 @@ FIXED = {
     "wave": {"continuum.transport": "inviscid"},
 }
 KEY = {"dz": "continuum.spacing", "dx": "continuum.spacing_horizontal", "cfl": "continuum.cfl", "lid": "continuum.lid"}
-DEFAULT = {"ch4_shock": {"dz": 0.2, "cfl": 0.8}, "stripes": {"dx": 2.0, "dz": 0.2, "cfl": 0.8}, "riemann": {"dz": 0.025, "cfl": 0.8},
+DEFAULT = {"ch4_shock": {"dz": 0.2, "cfl": 0.8}, "stripes": {"dx": 1.0, "dz": 0.2, "cfl": 0.8}, "riemann": {"dz": 0.025, "cfl": 0.8},
            "wave": {"dz": 2.0, "cfl": 0.8}}
 DEFAULT_SCHEME = "muscl"
 # (study, scheme, knob): values. All else is the scene's.
@@ -62,6 +62,8 @@ CLOSURES = {
     ("garzo_dufty", "goldshtein"): {"continuum.closure": "garzo_dufty"},
     ("garzo_dufty", "carnahan_starling"): {"continuum.closure": "garzo_dufty", "continuum.pair_correlation": "carnahan_starling"},
     ("jenkins_richman_dense", "goldshtein"): {"continuum.closure": "jenkins_richman_dense"},
+    ("jenkins_richman_fluid", "goldshtein"): {"continuum.closure": "jenkins_richman_fluid"},
+    ("jenkins_richman_bocquet", "goldshtein"): {"continuum.closure": "jenkins_richman_bocquet"},
 }
 LIDS = (80.0, 200.0)
 

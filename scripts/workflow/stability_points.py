@@ -35,7 +35,7 @@ class Point:
 
 # Short runs of small scenes: some cycles from the flat layer on, which hold its fall, its impact and its shock.
 LAYER = Run("continuum", "ch4_shock", ("sample.phases=20", "sample.settle=0", "sample.average=2", "sample.frames=0", "continuum.spacing=0.4"))
-STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=1", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4",
+STRIP = Run("continuum", "ch5_growth", ("sample.settle=0", "sample.average=1", "sample.map_bin=0", "initial.wave=0.3", "continuum.spacing=0.4", "continuum.spacing_horizontal=2",
                                           "box.x=21", "particles.number=504", "initial.wave_x=1"))
 RIEMANN = Run("continuum", "verify_riemann", ("continuum.spacing=0.1",))
 COLUMN = Run("continuum", "verify_column", ("continuum.spacing=0.2", "tube.time=10"))

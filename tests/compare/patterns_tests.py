@@ -30,6 +30,7 @@ import tables
 EXPECTED = SOURCE / "data/expected"
 FOLDER = tempfile.TemporaryDirectory(prefix="shaken_patterns_")
 OUT = pathlib.Path(FOLDER.name)
+WIDE = "continuum.spacing_horizontal=2"
 # A strip of two wavelengths; no whole number of diameters across, where rows of spheres would lock.
 STRIP = ["box.x=42", "box.y=5.3", "particles.number=1336", "sample.phases=40", "sample.settle=24", "sample.average=16", "sample.map_bin=2",
          "sample.frames=8", "sample.frame_cycles=4"]
@@ -62,7 +63,7 @@ def small_continuum():
 
 
 def growth(gamma):
-    return pattern("continuum", run("continuum", f"growth_{gamma}", "ch5_growth.toml", f"plate.acceleration={gamma}"))["waves"][0]["multiplier"]
+    return pattern("continuum", run("continuum", f"growth_{gamma}", "ch5_growth.toml", f"plate.acceleration={gamma}", WIDE))["waves"][0]["multiplier"]
 
 
 class Stripes(unittest.TestCase):
@@ -90,14 +91,15 @@ class Stripes(unittest.TestCase):
         self.assertLess((wave[1] / wave[0]).real, -0.5)   # -1 but for noise
         self.assertLess(wave[0].real, 0)                  # the shift along x puts a peak at half a wavelength, 10.5
 
-    def test_the_continuum_s_wave_fades_at_2_2_and_grows_at_3_6(self):
+    def test_the_continuum_s_wave_fades_at_2_2_and_grows_at_3_8(self):
         kept = {row["value"]: row["multiplier"] for row in tables.rows("ch5_growth.csv")
-                if row["command"].endswith("continuum.closure=jenkins_richman --set continuum.pair_correlation=goldshtein")}
-        for gamma in (2.2, 3.6):
-            # The rows are older than the hold on mixed stresses in thin gas, which moves a growth by 0.01 (0.876 to 0.868 at 2.6).
-            self.assertAlmostEqual(growth(gamma), kept[gamma], delta=0.02)
-        self.assertLess(abs(growth(2.2)), 0.85)
-        self.assertGreater(abs(growth(3.6)), 1.0)
+                if row["command"].endswith(f"continuum.closure=jenkins_richman --set continuum.pair_correlation=goldshtein --set {WIDE}")}
+        found = {gamma: growth(gamma) for gamma in (2.2, 3.8)}
+        for gamma in found:
+            # The same run but for round-off, which another compiler may grow: the factor of a wave that fades is of small numbers.
+            self.assertAlmostEqual(found[gamma], kept[gamma], delta=0.005)
+        self.assertLess(abs(found[2.2]), 0.85)
+        self.assertGreater(abs(found[3.8]), 1.0)
 
 
 class Rows(unittest.TestCase):

@@ -109,6 +109,32 @@ TEST_CASE("below freezing Carnahan and Starling's contact value gives the hard-s
         CHECK(1.0 + 4.0 * nu * CarnahanStarling::at(nu).g0 == Approx(z).epsilon(3e-3));
 }
 
+TEST_CASE("a fluid's transport is Carnahan and Starling's below freezing and stays finite at packing") {
+    for (const double nu : {1e-9, 0.1, 0.48}) {
+        const Transport fluid = JenkinsRichmanFluid::transport<Goldshtein>(nu / sphere_volume, 2.0, 0.7);
+        const Transport whole = JenkinsRichman::transport<CarnahanStarling>(nu / sphere_volume, 2.0, 0.7);
+        CHECK(fluid.shear_viscosity == Approx(whole.shear_viscosity).epsilon(1e-14));  // round-off
+        CHECK(fluid.conductivity == Approx(whole.conductivity).epsilon(1e-14));
+        CHECK(fluid.bulk_viscosity == Approx(whole.bulk_viscosity).epsilon(1e-14));
+    }
+    const double n = (Goldshtein::packing - 1e-9) / sphere_volume;
+    // (1 - nu/2) / (1 - nu)^3 at 0.65: 15.74, so G_t = 10.23 and mu = n (sqrt(pi)/6) (0.03 + 1 + 3.856 * 10.23).
+    CHECK(JenkinsRichmanFluid::transport<Goldshtein>(n, 1.0, 0.7).shear_viscosity == Approx(14.84).epsilon(0.002));
+    CHECK(JenkinsRichmanFluid::cooling_rate<Goldshtein>(n, 0.7) == JenkinsRichman::cooling_rate<Goldshtein>(n, 0.7));
+}
+
+TEST_CASE("Bocquet and others' viscosity is Boltzmann's in thin gas and diverges by the power 1.75, all else by 1") {
+    const auto at = [](double nu) {
+        return JenkinsRichmanBocquet::transport<Goldshtein>(nu / sphere_volume, 1.0, 0.9);
+    };
+    CHECK(at(1e-12).shear_viscosity == Approx(5.0 / 16.0 / std::sqrt(std::numbers::pi)).epsilon(1e-9));
+    const Transport near = at(Goldshtein::packing - 1e-5), nearer = at(Goldshtein::packing - 1e-6);
+    // Truncation: the next term of each is of the order of the room left, 1e-5.
+    CHECK(std::log10(nearer.shear_viscosity / near.shear_viscosity) == Approx(1.75).epsilon(1e-4));
+    CHECK(std::log10(nearer.bulk_viscosity / near.bulk_viscosity) == Approx(1.0).epsilon(1e-4));
+    CHECK(std::log10(nearer.conductivity / near.conductivity) == Approx(1.0).epsilon(1e-4));
+}
+
 TEST_CASE("the effective dissipation of e(v) takes the reference values") {
     const scene::Restitution law = scene::RestitutionVelocity{0.7, 1.0};
     const EffectiveDissipation table(law);
