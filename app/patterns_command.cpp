@@ -50,6 +50,7 @@ void print_pattern(const std::string& engine, const compare::PatternSummary& s) 
                s.window.first + s.window.cycles - 1);
     print_measure("<psi^2>", s.mean_square, "sigma^2");
     print_measure("order P_max", s.order, "");
+    print_measure("the same, interpolated as published", s.interpolated_order, "");
     fmt::print("  {:<34} {:>10.4g} sigma\n", "dominant wavelength", s.wavelength);
     fmt::print("  {:<34} {:>10.4g} degrees\n", "angle of its wavevector", 180.0 / std::numbers::pi * s.angle);
     fmt::print("  {:<34} {:>10.4g}\n", "share of <psi^2> at half frequency", s.coherent_share);

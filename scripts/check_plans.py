@@ -5,7 +5,7 @@
     scripts/check_plans.py [--out out/plans] [--only NAME ...] [--shaken build/release/shaken]
 
 Each scene of SCENES is planned and run. Times are CPU seconds of the whole process. Found error of the continuum: rms over 20 phases of z_cm against a grid four times (where
-that is long, twice) as fine, steps half as long for their size, the highest lid that a plan knows (with twice the planned one the lid's own error would hide), more cycles to settle. Found error of the MD: scatter of
+that is long, twice) as fine, steps half as long for their size, more cycles to settle, under the highest lid that a plan knows (square: twice the planned one; a part of the lid's error then hides). Found error of the MD: scatter of
 z_cm over blocks (a tenth of a run, even, at least two cycles) of SEEDS runs of the planned length. Four rows a scene, of all scenes done so far, in data/expected/plans.csv and a figure beside the runs. What
 is there already is not computed again; a row lives in OUT/NAME/rows.json and goes with its folder.
 """
@@ -108,9 +108,10 @@ class Check:
     def continuum(self, plan):
         c = plan["continuum"]
         found, seconds = self.run("continuum", "continuum", [f"sample.average={c['average']}"])
-        more = 3 * seconds * HIGHEST / c["lid"] * (c["settle"] + 16) / c["settle"]
+        lid = HIGHEST if c["dimension"] < 3 else 2 * c["lid"]
+        more = 3 * seconds * lid / c["lid"] * (c["settle"] + 16) / c["settle"]
         finer = 4 if more * 4**2 < LONG else 2
-        changes = ["sample.phases=20", f"continuum.spacing={c['spacing'] / finer}", f"continuum.lid={HIGHEST}", "continuum.cfl=0.4", f"sample.settle={c['settle'] + 16}",
+        changes = ["sample.phases=20", f"continuum.spacing={c['spacing'] / finer}", f"continuum.lid={lid}", "continuum.cfl=0.4", f"sample.settle={c['settle'] + 16}",
                    f"sample.average={max(4, c['average'])}"]
         if c["dimension"] > 1:
             changes += [f"continuum.spacing_horizontal={c['spacing_horizontal'] / 2}", f"sample.settle={c['settle']}", f"sample.average={c['average']}"]

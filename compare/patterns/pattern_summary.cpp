@@ -9,6 +9,7 @@
 
 #include "compare/jackknife.hpp"
 #include "compare/patterns/floquet.hpp"
+#include "compare/patterns/polar_spectrum.hpp"
 
 namespace shaken::compare {
 
@@ -84,6 +85,7 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
     summary.maps = spectrum.maps();
     summary.mean_square = measure(seen, transform, [](const PowerSpectrum& s) { return s.mean_square(); });
     summary.order = measure(seen, transform, [](const PowerSpectrum& s) { return s.order(); });
+    summary.interpolated_order = measure(seen, transform, interpolated_order);
     const double height = std::accumulate(seen.mean_height.begin(), seen.mean_height.end(), 0.0) /
                           static_cast<double>(seen.mean_height.size());
     summary.mean_height = height;
@@ -130,6 +132,8 @@ nlohmann::ordered_json to_json(const PatternSummary& s) {
                                 {"relative_mean_square_error", s.relative_mean_square.error},
                                 {"order", s.order.value},
                                 {"order_error", s.order.error},
+                                {"interpolated_order", s.interpolated_order.value},
+                                {"interpolated_order_error", s.interpolated_order.error},
                                 {"wavelength", s.wavelength},
                                 {"angle", s.angle},
                                 {"coherent_share", s.coherent_share},

@@ -43,6 +43,7 @@ struct PatternSummary {
     double mean_height = 0.0;      // <z_cm>, sigma, laboratory frame
     Measure relative_mean_square;  // <psi^2>/<z_cm>^2
     Measure order;                 // P_max of the mean spectrum
+    Measure interpolated_order;    // the same by interpolation, polar_spectrum.hpp
     double wavelength = 0.0;       // sigma
     double angle = 0.0;            // of the wavevector, [0, pi)
     double coherent_share = 0.0;  // of <psi^2> in the waves' alternating means, less what noise alone would leave there

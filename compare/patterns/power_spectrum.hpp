@@ -51,6 +51,8 @@ class PowerSpectrum {
     void add(const std::vector<std::complex<double>>& amplitudes);
 
     std::int64_t maps() const { return maps_; }
+    const fields::HorizontalGrid& grid() const { return grid_; }
+    const std::vector<PlaneWave>& waves() const { return waves_; }
     /// Mean over maps of |a|^2, as psi^2 counts it: their sum is <psi^2>.
     std::vector<double> power() const;
     double mean_square() const;

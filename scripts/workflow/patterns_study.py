@@ -23,10 +23,10 @@ def make(root, out, all_figures, runs, figures, jobs, dry_run, command, title, m
             code = rows.fill(table, planned, shaken, pathlib.Path(out).resolve() / "rows")
             if code:
                 return code
-    # The tables are inputs of a figure: one more row, and it is drawn again.
+    # The tables are inputs of a figure: one more row, and it is drawn again. What a maker makes is not there yet in a dry run.
     drawn = {name: {"runs": needs.get("runs", []),
                     "files": [str(root / table) for table, _ in needs.get("rows", []) if (root / table).is_file()]
-                    + [str(pathlib.Path(out).resolve() / made) for made in needs.get("files", [])]}
+                    + [str(pathlib.Path(out).resolve() / made) for made in needs.get("files", []) if not dry_run]}
              for name, needs in wanted.items()}
     for made in dict.fromkeys(file for needs in wanted.values() for file in needs.get("files", []) if not dry_run):
         makers[made](root, out)

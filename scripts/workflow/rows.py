@@ -8,7 +8,7 @@ import subprocess
 import sys
 import tempfile
 
-COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "wavelength", "angle",
+COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "interpolated_order", "interpolated_order_error", "wavelength", "angle",
            "coherent_share", "coherent", "coherent_error", "multiplier", "waves_x", "waves_y", "seconds", "command"]
 WAVE_COLUMNS = ["value", "waves_x", "root_mean_square", "coherent", "coherent_error", "multiplier", "seconds", "command"]
 ONE_RUN = pathlib.Path(__file__).with_name("one_run.py")

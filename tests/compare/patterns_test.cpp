@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Measures of patterns on maps whose answer is known: plane waves, white noise, waves that alternate or grow.
 #include <catch2/catch.hpp>
+
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -8,6 +10,7 @@
 
 #include "compare/patterns/floquet.hpp"
 #include "compare/patterns/pattern_summary.hpp"
+#include "compare/patterns/polar_spectrum.hpp"
 #include "compare/patterns/power_spectrum.hpp"
 #include "scene/random_stream.hpp"
 
@@ -53,6 +56,26 @@ TEST_CASE("a plane wave has order 1, its own wavelength and its own direction") 
     const double direction = std::fmod(std::atan2(ky, kx) + pi, pi);
     const double off = std::abs(spectrum.angle() - direction);
     CHECK(std::min(off, pi - off) <= 0.5 * pi / 21.0 + 1e-12);  // half a bin
+}
+
+TEST_CASE("interpolated to polar coordinates, a plane wave keeps the share of a pyramid around its wavevector") {
+    const auto [mx, my] = GENERATE(std::pair{2, 0}, std::pair{0, 2}, std::pair{3, -1}, std::pair{6, 2});
+    const auto spectrum = spectrum_of(
+        square, map_of(square, [&](double x, double y) { return std::cos(2.0 * pi * (mx * x + my * y) / 42.0); }));
+    // k_r dk_r dtheta is dkx dky: bilinear interpolation makes of one wave a pyramid of two waves' width.
+    std::mt19937_64 random(1);
+    std::uniform_real_distribution<double> uniform;
+    std::vector<int> found(21, 0);
+    constexpr int draws = 400000;
+    for (int i = 0; i < draws; ++i) {
+        const double x = mx + uniform(random) - uniform(random), y = my + uniform(random) - uniform(random);
+        const auto bin = std::lround(std::fmod(std::atan2(y, x) + 2.0 * pi, pi) / pi * 21.0) % 21;
+        ++found[static_cast<std::size_t>(bin)];
+    }
+    const double expected = *std::max_element(found.begin(), found.end()) / double(draws);
+    // Three standard errors of the draws, and the sums over rays and wavenumbers, midpoint rules on 16 to a bin and
+    // wave.
+    CHECK(compare::interpolated_order(spectrum) == Approx(expected).margin(3.0 * std::sqrt(expected / draws) + 2e-3));
 }
 
 TEST_CASE("the spectrum holds the whole mean square on grids of even and odd sides") {
