@@ -7,15 +7,16 @@ import numpy as np
 
 import run_folder
 import tables
-from style import DENSITY, plt, points, save
+from style import DENSITY, TEMPERATURE, plt, points, save
 
 NAME = "figure_6_3"
 CAPTION = (
     "Figure 6.3. (a) Mean square of the pattern and (b) share of its power in the strongest of 21 directions, against the peak acceleration: MD "
-    "(triangles, bars of one standard error) and the noisy Swift-Hohenberg model of the fitted noise (lines), scaled as the fit says. Full upright "
+    "(triangles, bars of one standard error; filled: the spectrum interpolated to polar coordinates, by which one plane wave of the cell has 0.28 and no more) and the noisy Swift-Hohenberg model of the fitted noise (lines), scaled as the fit says. Full upright "
     "line: onset of long-range order in MD; dotted: mean-field onset of the fit. Broken: the source's 2.15 and 1.965."
 )
 WHITE_NOISE = 0.061  # P_max of white noise averaged over many maps of 21 x 21 bins
+PLANE_WAVE = 0.28    # of one wave with two wavelengths along the cell, interpolated (compare/patterns/polar_spectrum.hpp)
 
 
 def model_at(noise, model):
@@ -45,6 +46,11 @@ def draw(study):
     upper.set_ylim(0, 1.15 * max(square.max(), 0.1))
     points(lower, gamma, order, y_error=order_error, marker="^", ms=6, color=DENSITY, mfc="none")
     lower.plot(model_gamma, model_order, color="black", lw=1.2)
+    interpolated = [row for row in tables.rows("ch6_onset_md.csv") if isinstance(row.get("interpolated_order"), float)]
+    points(lower, *([row[key] for row in interpolated] for key in ("value", "interpolated_order")), y_error=[row["interpolated_order_error"] for row in interpolated],
+           marker="^", ms=5, color=TEMPERATURE)
+    lower.axhline(PLANE_WAVE, color=TEMPERATURE, lw=0.7)
+    lower.text(gamma[0], PLANE_WAVE + 0.01, "a plane wave, interpolated", fontsize=7, color=TEMPERATURE)
     lower.axhline(WHITE_NOISE, color="0.6", lw=0.7)
     lower.text(gamma[0], WHITE_NOISE + 0.01, "white noise", fontsize=7, color="0.4")
     lower.set_ylabel(r"$P_{\max}$")
@@ -61,10 +67,12 @@ def draw(study):
     upper.tick_params(top=False, which="both")
     upper.legend(loc="upper left", fontsize=8)
     count = len(gamma) + len(control)
+    by_polar = {row["value"]: row["interpolated_order"] for row in interpolated}
     return save(figure, study.figures, NAME, {
         "of": ["MD"] * len(gamma) + ["model"] * len(control), "Gamma": [*gamma, *model_gamma],
         "mean square/sigma^2": [*square, *(fit["scale"] * model_square)], "error": [*square_error, *[np.nan] * len(control)],
         "P_max": [*order, *model_order], "P_max error": [*order_error, *[np.nan] * len(control)],
+        "P_max interpolated": [*[by_polar.get(g, np.nan) for g in gamma], *[np.nan] * len(control)],
         "F": [fit["noise"]] * count, "Gamma_MF": [fit["mean_field_onset"]] * count})
 
 
