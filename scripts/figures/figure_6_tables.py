@@ -8,7 +8,7 @@ import numpy as np
 import run_folder
 import tables
 from run_folder import RunError
-from slices import RESTITUTION, goldshtein
+from slices import RESTITUTION, goldshtein, shear_viscosity
 from style import DENSITY, LENGTH, plt, save
 
 NAME = "figure_6_tables"
@@ -30,9 +30,8 @@ def noise_coefficient(nu, temperature, depth):
     """n c_p T/(mu kappa d), with the viscosity and conductivity of Jenkins and Richman (1985), all terms."""
     n, root = 6 * nu / np.pi, np.sqrt(temperature)
     g = goldshtein(nu)[0]
-    viscosity = np.sqrt(np.pi) / 6 * n * root * (5 / 16 / g + 1 + 0.8 * (1 + 12 / np.pi) * g)
     conductivity = 15 * np.sqrt(np.pi) / 16 * n * root * (5 / 24 / g + 1 + 1.2 * (1 + 32 / (9 * np.pi)) * g)
-    return n * specific_heat(nu) * temperature / (viscosity * conductivity * depth)
+    return n * specific_heat(nu) * temperature / (shear_viscosity(nu, temperature) * conductivity * depth)
 
 
 def of_run(path, phases, depth):

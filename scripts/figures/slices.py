@@ -40,6 +40,12 @@ def pressure(nu, temperature):
     return 6 / np.pi * nu * temperature * (1 + 2 * (1 + RESTITUTION) * goldshtein(nu)[0])
 
 
+def shear_viscosity(nu, temperature):
+    """mu of Jenkins and Richman (1985), all terms, with Goldshtein's pair correlation."""
+    g = goldshtein(nu)[0]
+    return np.sqrt(np.pi) / 6 * (6 * nu / np.pi) * np.sqrt(temperature) * (5 / 16 / g + 1 + 0.8 * (1 + 12 / np.pi) * g)
+
+
 def completed(x, z, plate, nu, u_x, u_z, temperature, densest=PACKING):
     """A slice with the pressure of the scene's equation of state, and its slope along x."""
     p = np.where(nu < densest, pressure(nu, temperature), np.nan)

@@ -22,6 +22,7 @@ os.environ["SHAKEN"] = SHAKEN
 
 import figure_5_2
 import figure_6_tables
+import horizontal_momentum
 import rows
 import run_folder
 import slices
@@ -135,6 +136,28 @@ class Rows(unittest.TestCase):
             blocks = list(csv.DictReader(file))
         mean = sum(float(block["mean_square"]) for block in blocks) / len(blocks)
         self.assertAlmostEqual(mean / tables.number(once.splitlines()[1].split(",")[1]), 1, delta=1e-4)  # six digits are kept
+
+
+class Momentum(unittest.TestCase):
+    def test_what_is_left_of_a_wave_is_what_was_put_in(self):
+        """Particles at rest whose transverse velocity is a wave that fades and turns round, of another sign and size each cycle."""
+        random = np.random.default_rng(1)
+        sides, phases, cycles = np.array([7.0, 9.0]), 4, 6
+        within = np.array([1.0, 0.5, 0.25, -0.75])
+        place = random.uniform(size=(500, 3)) * [*sides, 1.0]
+        wave = np.cos(2 * np.pi * place[:, 0] / sides[0] + 0.3)
+        sizes = np.concatenate([(-2.0) ** c * within for c in range(cycles)])
+        velocity = np.zeros((phases * cycles, 500, 3))
+        velocity[:, :, 1] = sizes[:, None] * wave
+        amplitudes = horizontal_momentum.transverse(np.broadcast_to(place, velocity.shape), velocity, sides)
+        left = horizontal_momentum.survival(amplitudes, phases, 1)
+        np.testing.assert_allclose(left[:5], [1, 0.5, -1.5, -4, -2], rtol=1e-12)  # round-off: one wave, no noise
+
+    def test_a_triangular_lattice_has_order_1_and_a_square_one_none(self):
+        rows_of = [(x + 0.5 * (y % 2), y * math.sqrt(0.75)) for y in range(10) for x in range(10)]
+        self.assertAlmostEqual(horizontal_momentum.bond_order(np.array(rows_of), np.array([10, 10 * math.sqrt(0.75)])), 1, delta=1e-12)
+        square = np.array([(x, y) for y in range(10) for x in range(10)], float)
+        self.assertAlmostEqual(horizontal_momentum.bond_order(square, np.array([10.0, 10.0])), 0, delta=1e-12)  # four bonds, round-off
 
 
 class Model(unittest.TestCase):
