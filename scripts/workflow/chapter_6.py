@@ -19,7 +19,7 @@ ONSET_CONTINUUM = "data/expected/ch6_onset_continuum.csv"
 MODEL = "data/expected/ch6_swift_hohenberg.csv"
 
 ACCELERATIONS = ("1.7", "1.8", "1.9", "1.95", "2.0", "2.05", "2.1", "2.15", "2.2", "2.25", "2.3")
-TWICE = ("1.9", "2.0", "2.1", "2.15", "2.2")   # with a second seed
+TWICE = ("2.0", "2.15", "2.2")   # with a second seed
 SECOND_SEED = ("md.seed=2", "initial.seed=2")
 SLOW_ACCELERATIONS = ("1.7", "1.8", "1.85", "1.9", "2.0", "2.2")
 CONTINUUM_ACCELERATIONS = ("1.9", "2.2", "2.6", "3.0", "3.2", "3.3", "3.4", "3.6", "4.0")
