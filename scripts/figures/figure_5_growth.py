@@ -26,7 +26,8 @@ CHOICES = {
     ("jenkins_richman_dense", "goldshtein", "ftcs"): ("ftcs, no 1/G terms", "#7a3b9a"),
 }
 DISSIPATION = "0.1"   # default C_AD of ftcs
-SMALLEST = 1e-5       # sigma: what is smaller after eight cycles has nothing left of the wave that was put in
+SMALLEST = 1e-3       # of the wave that was put in: what is smaller after eight cycles has nothing left of it
+WAVE = "0.01"         # of the density, the scene's
 WAVELENGTH = 21.0     # of that wave; where another is strongest, nothing is drawn
 
 
@@ -38,7 +39,7 @@ def family(row):
 
 
 def draw(study):
-    rows = [row for row in tables.rows("ch5_growth.csv") if row["coherent"] > SMALLEST and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
+    rows = [row for row in tables.rows("ch5_growth.csv") if row["coherent"] > SMALLEST * float(tables.setting(row, "initial.wave", WAVE)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(6.6, 7.4), sharex=True, height_ratios=(1.6, 1))
     names = ("closure", "pair correlation", "scheme", "C_AD", "e of the sink", "dx/sigma", "Gamma", "factor a cycle")
     columns = {name: [] for name in names}
@@ -57,7 +58,7 @@ def draw(study):
                 columns[name].append(value)
     upper.axhline(1.0, color="0.5", lw=0.8)
     upper.set_ylabel("growth of the wave a cycle")
-    upper.set_ylim(0.4, 1.12)
+    upper.set_ylim(0.4, 1.4)
     upper.legend(loc="lower right", fontsize=7, title="lines: sink of e(v), $e_0$ = 0.7; dotted: constant 0.7\nfull: $dx$ = 2, open: $dx$ = 1", title_fontsize=7)
     onset = tables.rows("ch6_onset_md.csv")
     value, order, order_error, wave, wave_error = (np.array([row[key] for row in onset]) for key in ("value", "order", "order_error", "coherent", "coherent_error"))
