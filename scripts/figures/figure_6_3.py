@@ -7,12 +7,12 @@ import numpy as np
 
 import run_folder
 import tables
-from style import DENSITY, TEMPERATURE, plt, points, save
+from style import DENSITY, LENGTH, TEMPERATURE, plt, points, save
 
 NAME = "figure_6_3"
 CAPTION = (
     "Figure 6.3. (a) Mean square of the pattern and (b) share of its power in the strongest of 21 directions, against the peak acceleration: MD "
-    "(triangles, bars of one standard error; filled: the spectrum interpolated to polar coordinates, by which one plane wave of the cell has 0.28 and no more) and the noisy Swift-Hohenberg model of the fitted noise (lines), scaled as the fit says. Full upright "
+    "(triangles, bars of one standard error; downward: begun from the stripes of 2.2; filled: the spectrum interpolated to polar coordinates, by which one plane wave of the cell has 0.28 and no more) and the noisy Swift-Hohenberg model of the fitted noise (lines), scaled as the fit says. Full upright "
     "line: onset of long-range order in MD; dotted: mean-field onset of the fit. Broken: the source's 2.15 and 1.965."
 )
 WHITE_NOISE = 0.061  # P_max of white noise averaged over many maps of 21 x 21 bins
@@ -43,9 +43,12 @@ def draw(study):
     upper.plot(model_gamma, fit["scale"] * model_square, color="black", lw=1.2,
                label=f"Swift-Hohenberg, $F$ = {fit['noise']:.2g} ({fit['noise_low']:.2g} to {fit['noise_high']:.2g})")
     upper.set_ylabel(r"$\langle\psi^2\rangle/\sigma^2$")
-    upper.set_ylim(0, 1.15 * max(square.max(), 0.1))
     points(lower, gamma, order, y_error=order_error, marker="^", ms=6, color=DENSITY, mfc="none")
     lower.plot(model_gamma, model_order, color="black", lw=1.2)
+    down = tables.rows("ch6_onset_down_md.csv")
+    for axis, key in ((upper, "mean_square"), (lower, "order")):
+        points(axis, [row["value"] for row in down], [row[key] for row in down], y_error=[row[f"{key}_error"] for row in down], marker="v", ms=6, color=LENGTH, mfc="none",
+               label="MD, from the stripes of 2.2")
     interpolated = [row for row in tables.rows("ch6_onset_md.csv") if isinstance(row.get("interpolated_order"), float)]
     points(lower, *([row[key] for row in interpolated] for key in ("value", "interpolated_order")), y_error=[row["interpolated_order_error"] for row in interpolated],
            marker="^", ms=5, color=TEMPERATURE)
@@ -66,13 +69,15 @@ def draw(study):
     top.set_xlabel(r"$\epsilon = (\Gamma - \Gamma_{MF})/\Gamma_{MF}$")
     upper.tick_params(top=False, which="both")
     upper.legend(loc="upper left", fontsize=8)
-    count = len(gamma) + len(control)
+    upper.set_ylim(0, 1.15 * max(square.max(), 0.1))
+    count = len(gamma) + len(down) + len(control)
     by_polar = {row["value"]: row["interpolated_order"] for row in interpolated}
     return save(figure, study.figures, NAME, {
-        "of": ["MD"] * len(gamma) + ["model"] * len(control), "Gamma": [*gamma, *model_gamma],
-        "mean square/sigma^2": [*square, *(fit["scale"] * model_square)], "error": [*square_error, *[np.nan] * len(control)],
-        "P_max": [*order, *model_order], "P_max error": [*order_error, *[np.nan] * len(control)],
-        "P_max interpolated": [*[by_polar.get(g, np.nan) for g in gamma], *[np.nan] * len(control)],
+        "of": ["MD"] * len(gamma) + ["MD from stripes"] * len(down) + ["model"] * len(control), "Gamma": [*gamma, *(row["value"] for row in down), *model_gamma],
+        "mean square/sigma^2": [*square, *(row["mean_square"] for row in down), *(fit["scale"] * model_square)],
+        "error": [*square_error, *(row["mean_square_error"] for row in down), *[np.nan] * len(control)],
+        "P_max": [*order, *(row["order"] for row in down), *model_order], "P_max error": [*order_error, *(row["order_error"] for row in down), *[np.nan] * len(control)],
+        "P_max interpolated": [*[by_polar.get(g, np.nan) for g in gamma], *(row["interpolated_order"] for row in down), *[np.nan] * len(control)],
         "F": [fit["noise"]] * count, "Gamma_MF": [fit["mean_field_onset"]] * count})
 
 

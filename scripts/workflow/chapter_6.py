@@ -14,6 +14,7 @@ ONSET = "data/scenes/ch6_onset.toml"
 ONSET_SLOW = "data/scenes/ch6_onset_slow.toml"
 DISPERSION = "data/scenes/ch5_dispersion.toml"
 ONSET_MD = "data/expected/ch6_onset_md.csv"
+ONSET_DOWN_MD = "data/expected/ch6_onset_down_md.csv"
 ONSET_SLOW_MD = "data/expected/ch6_onset_slow_md.csv"
 ONSET_CONTINUUM = "data/expected/ch6_onset_continuum.csv"
 MODEL = "data/expected/ch6_swift_hohenberg.csv"
@@ -32,6 +33,12 @@ MODEL_OPTIONS = ("--noises", "3e-4,1e-3,3e-3,6e-3,9e-3,1.2e-2,1.6e-2,2.2e-2,4e-2
 def onset_rows():
     return [Row("md", ONSET, "plate.acceleration", gamma) for gamma in ACCELERATIONS] + [
         Row("md", ONSET, "plate.acceleration", gamma, SECOND_SEED) for gamma in TWICE]
+
+
+def onset_down_rows():
+    """From the stripes of Gamma = 2.2, which scripts/reproduce ch6 --figure 6.1 leaves, down."""
+    stripes = ('initial.file="out/ch6/runs/md_2.2/md.checkpoint"', "sample.settle=100")
+    return [Row("md", ONSET, "plate.acceleration", gamma, stripes) for gamma in ("2.1", "2.15")]
 
 
 def onset_slow_rows():
@@ -68,7 +75,7 @@ FIT = {"rows": [MD], "files": ["fit.json"]}
 FIGURES = {
     "figure_6_1": {"runs": ["md_1.9", "md_2.2", "continuum_2.2", "continuum_4.0"]},
     "figure_6_2": {"rows": [MD, (ONSET_CONTINUUM, continuum_rows())]},
-    "figure_6_3": FIT,
+    "figure_6_3": {"rows": [MD, (ONSET_DOWN_MD, onset_down_rows())], "files": ["fit.json"]},
     "figure_6_4": FIT,
     "figure_6_5": {"rows": [MD, (ONSET_SLOW_MD, onset_slow_rows())]},
     "figure_6_tables": {"runs": [f"states_{f}{e}" for f in ("0.25", "0.4174") for e in ("", "_constant")]},

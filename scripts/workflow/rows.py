@@ -87,6 +87,13 @@ def add(table, row, found, seconds):
     cells |= {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
     with open(table, "a", newline="") as file:
         csv.DictWriter(file, columns).writerow({name: digits(cell) for name, cell in cells.items()})
+    print(f"{row.command}: <psi^2> {digits(found['mean_square'])}, P_max {digits(found['order'])}", flush=True)
+    if row.engine == "md":
+        add_blocks(table, row, found)
+
+
+def add_blocks(table, row, found):
+    """The spectrum of each block of cycles; a continuum's cycles do not scatter."""
     run = sum(float(other["value"]) == float(row.value) for other in read(table))
     blocks = table.with_suffix(".blocks.csv")
     if not blocks.exists():
@@ -94,7 +101,6 @@ def add(table, row, found, seconds):
     with open(blocks, "a", newline="") as file:
         for number, block in enumerate(found["blocks"]):
             csv.writer(file).writerow([row.value, run, number, digits(block["mean_square"]), *map(digits, block["power_by_angle"])])
-    print(f"{row.command}: <psi^2> {digits(found['mean_square'])}, P_max {digits(found['order'])}", flush=True)
 
 
 def add_waves(table, row, found, seconds):
