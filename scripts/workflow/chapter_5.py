@@ -47,6 +47,9 @@ OF_FLUID = ("1.8", "2.0", "2.2", "2.6", "3.0")   # at 1.4 the layer freezes, at 
 OF_FTCS = ("2.2", "3.0", "3.4")
 
 
+SQUARES = ("1.8", "2.0", "2.1", "2.15", "2.2", "2.3", "2.6")   # Gamma of the cells of 42 x 42 whose order is looked at
+
+
 def growth_rows():
     def accelerations(name):
         return OF_FLUID if "fluid" in name else OF_FTCS if "ftcs" in name else ACCELERATIONS
@@ -83,7 +86,7 @@ def runs():
         "continuum_flat": run("continuum", STRIPES, [*flat, "sample.phases=40", "sample.settle=20", "sample.average=2", "sample.frames=40", "continuum.dimension=1",
                                                      "continuum.spacing=0.1", "continuum.lid=25", "initial.noise=0"]),
         **{f"md_square_{gamma}": run("md", STRIPES, [f"plate.acceleration={gamma}", "sample.phases=20", "sample.settle=100", "sample.average=2", "sample.frames=20",
-                                                     "sample.frame_cycles=2", "sample.map_bin=0"]) for gamma in ("2.2", "2.6")},
+                                                     "sample.frame_cycles=2", "sample.map_bin=0"]) for gamma in SQUARES},
         "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=100", *of_md]),
         "continuum_stripes": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *two_cycles, *wave,
                                                         "sample.frame_cycles=2", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2",
@@ -107,7 +110,7 @@ FIGURES = {
     "figure_5_9": SIDE_BY_SIDE,
     "figure_5_10": SIDE_BY_SIDE,
     "figure_5_movie": SIDE_BY_SIDE,
-    "figure_5_momentum": {"runs": ["md_flat", "continuum_flat", "md_square_2.2", "md_square_2.6"]},
+    "figure_5_momentum": {"runs": ["md_flat", "continuum_flat", *(f"md_square_{gamma}" for gamma in SQUARES)]},
     "figure_5_growth": {"rows": [(GROWTH, growth_rows())]},
 }
 
