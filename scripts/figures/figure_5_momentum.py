@@ -72,6 +72,8 @@ def draw(study):
     lower.set_xlabel(r"height, $\sigma$")
     lower.set_ylabel(r"$\pi/6$ times number a volume")
     lower.legend(loc="upper right", fontsize=7)
+    for axis, letter in ((upper, "(a)"), (lower, "(b)"), (beside, "(c)")):
+        axis.set_title(letter, loc="left", fontsize=9)
     count = phases + 1
     return save(figure, study.figures, NAME, {"ft": ft, "MD": left, "MD error": error, "continuum": np.interp(ft, continuum_ft, continuum_left), "psi_6 of the lowest plane": [order] * count,
                                              **{f"psi_6, 42 x 42, Gamma {gamma}": [value] * count for gamma, value in squares.items()}})
