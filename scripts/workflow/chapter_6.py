@@ -20,8 +20,6 @@ ONSET_CONTINUUM = "data/expected/ch6_onset_continuum.csv"
 MODEL = "data/expected/ch6_swift_hohenberg.csv"
 
 ACCELERATIONS = ("1.7", "1.8", "1.9", "1.95", "2.0", "2.05", "2.1", "2.15", "2.2", "2.25", "2.3")
-TWICE = ("2.0", "2.15", "2.2")   # with a second seed
-SECOND_SEED = ("md.seed=2", "initial.seed=2")
 SLOW_ACCELERATIONS = ("1.7", "1.8", "1.85", "1.9", "2.0", "2.2")
 CONTINUUM_ACCELERATIONS = ("1.9", "2.2", "2.6", "3.0", "3.4", "3.6", "4.0")
 FLUID_ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0")
@@ -32,8 +30,7 @@ MODEL_OPTIONS = ("--noises", "3e-4,1e-3,3e-3,6e-3,9e-3,1.2e-2,1.6e-2,2.2e-2,4e-2
 
 
 def onset_rows():
-    return [Row("md", ONSET, "plate.acceleration", gamma) for gamma in ACCELERATIONS] + [
-        Row("md", ONSET, "plate.acceleration", gamma, SECOND_SEED) for gamma in TWICE]
+    return [Row("md", ONSET, "plate.acceleration", gamma) for gamma in ACCELERATIONS]
 
 
 def onset_down_rows():

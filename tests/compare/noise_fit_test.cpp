@@ -52,7 +52,7 @@ ModelCurve simulated(double noise, const std::vector<double>& controls, std::uin
         compare::MapTransform transform({p.points, p.points, p.side, p.side});
         compare::PowerSpectrum spectrum(transform);
         simulation.advance(8000);
-        for (int i = 0; i < 12000; ++i) {
+        for (int i = 0; i < 12000; ++i) {  // 4000 leave the onset uncertain by 0.04
             simulation.step();
             spectrum.add(transform.amplitudes(simulation.field()));
         }
