@@ -11,7 +11,7 @@ from style import DENSITY, TEMPERATURE, plt, points, save
 NAME = "figure_5_growth"
 CAPTION = (
     "Growth from cycle to cycle of a wave of 21 diameters and one per cent of the density in the continuum, cycles 8 to 15, for each choice of closure, pair correlation, scheme and restitution in "
-    "the sink, on columns 2 wide (full markers) and 1 wide (open); above 1 the flat layer gives way to stripes; nothing is drawn where another wave than that is left. Below: the MD's order and the amplitude of its alternating wave. "
+    "the sink, on columns 2 wide (full markers) and 1 wide (open); above 1 the flat layer gives way to stripes; nothing is drawn where another wave or nothing of it is left (Bocquet's viscosity: everywhere). Below: the MD's order and the amplitude of its alternating wave. "
     "Broken: the source's onset in its continuum, 1.955, and in MD, 2.15."
 )
 # (closure, pair correlation, scheme): words, colour.
@@ -26,9 +26,6 @@ CHOICES = {
     ("jenkins_richman_dense", "goldshtein", "ftcs"): ("ftcs, no 1/G terms", "#7a3b9a"),
 }
 DISSIPATION = "0.1"   # default C_AD of ftcs
-SMALLEST = 1e-3       # of the wave that was put in: what is smaller after eight cycles has nothing left of it
-WAVE = "0.01"         # of the density, the scene's
-WAVELENGTH = 21.0     # of that wave; where another is strongest, nothing is drawn
 
 
 def family(row):
@@ -39,27 +36,27 @@ def family(row):
 
 
 def draw(study):
-    rows = [row for row in tables.rows("ch5_growth.csv") if row["coherent"] > SMALLEST * float(tables.setting(row, "initial.wave", WAVE)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
+    rows = tables.growth_rows()
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(6.6, 7.4), sharex=True, height_ratios=(1.6, 1))
     names = ("closure", "pair correlation", "scheme", "C_AD", "e of the sink", "dx/sigma", "Gamma", "factor a cycle")
     columns = {name: [] for name in names}
-    told = set()
+    shown = {}
     for kind in sorted({family(row) for row in rows}):
         closure, pair, scheme, dissipation, law, wide = kind
         words, colour = CHOICES.get(kind[:3], ("other", "0.5"))
         words += f", $C_{{AD}}$ = {dissipation}" if scheme == "ftcs" else ""
         chosen = sorted((row["value"], abs(row["multiplier"])) for row in rows if family(row) == kind)
-        label = words if words not in told else None
-        told.add(words)
+        shown[words] = colour
         upper.plot(*zip(*chosen), color=colour, ls="-" if law == "e(v)" else ":", marker="o" if dissipation == DISSIPATION else "s", ms=3.5, lw=0.9,
-                   mfc=colour if wide == 2 else "white", label=label)
+                   mfc=colour if wide == 2 else "white")
         for gamma, factor in chosen:
             for name, value in zip(names, (*kind, gamma, factor)):
                 columns[name].append(value)
     upper.axhline(1.0, color="0.5", lw=0.8)
     upper.set_ylabel("growth of the wave a cycle")
     upper.set_ylim(0.4, 1.4)
-    upper.legend(loc="lower right", fontsize=7, title="lines: sink of e(v), $e_0$ = 0.7; dotted: constant 0.7\nfull: $dx$ = 2, open: $dx$ = 1", title_fontsize=7)
+    handles = [plt.Line2D([], [], color=colour, marker="o", ms=3.5, lw=0.9, label=words) for words, colour in shown.items()]
+    upper.legend(handles=handles, loc="lower right", fontsize=7, title="lines: sink of e(v), $e_0$ = 0.7; dotted: constant 0.7\nfull: $dx$ = 2, open: $dx$ = 1", title_fontsize=7)
     onset = tables.rows("ch6_onset_md.csv")
     value, order, order_error, wave, wave_error = (np.array([row[key] for row in onset]) for key in ("value", "order", "order_error", "coherent", "coherent_error"))
     points(lower, value, order, y_error=order_error, marker="^", color=DENSITY, mfc="none", label=r"$P_{\max}$, MD")
@@ -68,7 +65,7 @@ def draw(study):
     for axis in (upper, lower):
         axis.axvline(published["continuum_onset"]["value"], color="0.3", ls="--", lw=0.8)
         axis.axvline(published["onset"]["value"], color=DENSITY, ls="--", lw=0.8)
-    lower.set_ylim(0, 1)
+    lower.set_ylim(0, 1.25)
     lower.set_xlabel(r"peak acceleration $\Gamma$")
     lower.legend(loc="center right")
     return save(figure, study.figures, NAME, columns)

@@ -7,6 +7,9 @@ from pathlib import Path
 
 import numpy as np
 
+SMALLEST = 1e-3      # sigma, over the wave of the density that was put in: what is smaller after eight cycles has nothing left of it
+PUT_IN = "0.01"      # of the density, the scene's
+WAVELENGTH = 21.0
 DATA = Path(__file__).resolve().parents[2] / "data"
 
 
@@ -51,9 +54,15 @@ def references(chapter):
     return tomllib.loads((DATA / "references" / f"chapter_{chapter}.toml").read_text())
 
 
+def growth_rows():
+    """Rows of ch5_growth.csv in which the wave that was put in is what is left, with more than SMALLEST of its size."""
+    return [row for row in rows("ch5_growth.csv")
+            if row["coherent"] > SMALLEST * float(setting(row, "initial.wave", PUT_IN)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
+
+
 def growth_onset(closure="jenkins_richman", pair="goldshtein", restitution=None, wide=None, scheme=None):
     """Gamma at which the continuum's wave of 21 neither grows nor fades, between the rows of ch5_growth.csv; NaN if it does not cross."""
-    chosen = sorted((row["value"], np.log(abs(row["multiplier"]))) for row in rows("ch5_growth.csv")
+    chosen = sorted((row["value"], np.log(abs(row["multiplier"]))) for row in growth_rows()
                     if setting(row, "closure", "jenkins_richman") == closure and setting(row, "pair_correlation", "goldshtein") == pair
                     and setting(row, "continuum.restitution") == restitution and setting(row, "spacing_horizontal") == wide
                     and setting(row, "continuum.scheme") == scheme)
