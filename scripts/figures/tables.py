@@ -55,9 +55,9 @@ def references(chapter):
 
 
 def growth_rows():
-    """Rows of ch5_growth.csv in which the wave that was put in is what is left, with more than SMALLEST of its size."""
+    """Rows of ch5_growth.csv in which the wave that was put in is what is left and alternates, with more than SMALLEST of its size."""
     return [row for row in rows("ch5_growth.csv")
-            if row["coherent"] > SMALLEST * float(setting(row, "initial.wave", PUT_IN)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
+            if row["coherent"] > row["coherent_error"] and row["coherent"] > SMALLEST * float(setting(row, "initial.wave", PUT_IN)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
 
 
 def growth_onset(closure="jenkins_richman", pair="goldshtein", restitution=None, wide=None, scheme=None):
