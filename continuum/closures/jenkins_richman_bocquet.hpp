@@ -12,7 +12,7 @@
 
 namespace shaken::continuum {
 
-struct JenkinsRichmanBocquet {
+struct JenkinsRichmanBocquet : JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman_bocquet";
 
     template <class PairCorrelation>
@@ -21,11 +21,6 @@ struct JenkinsRichmanBocquet {
         const double root = std::sqrt(1.0 - sphere_volume * density * (1.0 / PairCorrelation::packing));
         t.shear_viscosity /= root * std::sqrt(root);
         return t;
-    }
-
-    template <class PairCorrelation>
-    [[gnu::always_inline]] static double cooling_rate(double density, double restitution) {
-        return JenkinsRichman::cooling_rate<PairCorrelation>(density, restitution);
     }
 };
 

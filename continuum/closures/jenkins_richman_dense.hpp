@@ -12,7 +12,7 @@
 
 namespace shaken::continuum {
 
-struct JenkinsRichmanDense {
+struct JenkinsRichmanDense : JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman_dense";
 
     template <class PairCorrelation>
@@ -25,11 +25,6 @@ struct JenkinsRichmanDense {
         return {(8.0 / (3.0 * root_pi)) * root_t * n_g,
                 (root_pi / 6.0) * root_t * (density + (0.8 * (1.0 + 12.0 / pi)) * n_g),
                 (15.0 * root_pi / 16.0) * root_t * (density + (1.2 * (1.0 + 32.0 / (9.0 * pi))) * n_g), 0.0};
-    }
-
-    template <class PairCorrelation>
-    [[gnu::always_inline]] static double cooling_rate(double density, double restitution) {
-        return JenkinsRichman::cooling_rate<PairCorrelation>(density, restitution);
     }
 };
 

@@ -19,17 +19,12 @@ struct FluidContact {
     }
 };
 
-struct JenkinsRichmanFluid {
+struct JenkinsRichmanFluid : JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman_fluid";
 
     template <class PairCorrelation>
     [[gnu::always_inline]] static Transport transport(double density, double temperature, double restitution) {
         return JenkinsRichman::transport<FluidContact>(density, temperature, restitution);
-    }
-
-    template <class PairCorrelation>
-    [[gnu::always_inline]] static double cooling_rate(double density, double restitution) {
-        return JenkinsRichman::cooling_rate<PairCorrelation>(density, restitution);
     }
 };
 

@@ -42,20 +42,17 @@ CHOICES = {
 # The row of dx = 1 is the scene's own spacing, and its command does not name it.
 GRIDS = {"dx 2": ("continuum.spacing_horizontal=2",), "dx 1": ()}
 ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
-# Waves of a fluid's transport grow below 2; ftcs takes eight times as long.
-OF_FLUID = ("1.8", "2.0", "2.2", "2.6", "3.0")   # at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles
-OF_FTCS = ("2.2", "3.0", "3.4")
-
-
+# Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
+OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
 SQUARES = ("1.8", "2.0", "2.1", "2.15", "2.2", "2.3", "2.6")   # Gamma of the cells of 42 x 42 whose order is looked at
 
 
 def growth_rows():
-    def accelerations(name):
-        return OF_FLUID if "fluid" in name else OF_FTCS if "ftcs" in name else ACCELERATIONS
+    def accelerations(choice):
+        return OF_FLUID if choice[:len(FLUID)] == FLUID else OF_FTCS if "continuum.scheme=ftcs" in choice else ACCELERATIONS
 
     return [Row("continuum", STRIP, "plate.acceleration", gamma, choice + grid)
-            for grid in GRIDS.values() for name, choice in CHOICES.items() for gamma in accelerations(name)]
+            for grid in GRIDS.values() for choice in CHOICES.values() for gamma in accelerations(choice)]
 
 
 def dispersion_rows(engine):
@@ -79,7 +76,7 @@ def runs():
     def run(engine, scene, changes):
         return {"engine": engine, "scene": scene, "changes": changes, "start": None}
 
-    # Below both engines' onset and narrower than a whole number of diameters: horizontal momentum of a flat layer.
+    # Below the onset of both engines, and no whole number of diameters wide, where rows of spheres would lock: horizontal momentum of a flat layer.
     flat = ["plate.acceleration=2.0", "box.x=21.4", "box.y=21.4", "particles.number=2748", "sample.map_bin=0"]
     return {
         "md_flat": run("md", STRIPES, [*flat, "sample.phases=20", "sample.settle=40", "sample.average=100", "sample.frames=20", "sample.frame_cycles=100"]),
@@ -96,7 +93,7 @@ def runs():
 
 
 SIDE_BY_SIDE = {"runs": ["md_stripes", "continuum_stripes"]}
-# runs: what OUT/runs must hold; rows: (table, rows) to be filled first; long: hours, made only when asked for by name.
+# runs: what OUT/runs must hold; rows: (table, rows) to be filled first; long: made only when asked for by name.
 FIGURES = {
     "figure_5_1": SIDE_BY_SIDE,
     "figure_5_1_large": {"runs": ["md_large"], "long": True},
