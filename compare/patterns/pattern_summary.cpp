@@ -40,7 +40,7 @@ Observed observe(const fields::HeightMaps& maps, const PatternWindow& window, Ma
     return seen;
 }
 
-constexpr std::size_t most_blocks = 10;
+constexpr std::size_t most_blocks = 10, longest_waves = 16;
 
 PowerSpectrum spectrum_without(const Observed& seen, const MapTransform& transform, std::size_t from, std::size_t to) {
     PowerSpectrum spectrum(transform);
@@ -118,6 +118,7 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
         }
         summary.waves.push_back(wave);
     }
+    summary.fluctuations = fluctuations(transform.waves(), seen.amplitudes, longest_waves);
     summary.blocks = blocks_of(seen, transform);
     return summary;
 }
@@ -139,6 +140,7 @@ nlohmann::ordered_json to_json(const PatternSummary& s) {
                                 {"coherent_share", s.coherent_share},
                                 {"mean_height", s.mean_height},
                                 {"waves", nlohmann::ordered_json::array()},
+                                {"fluctuations", nlohmann::ordered_json::array()},
                                 {"blocks", nlohmann::ordered_json::array()}};
     for (const WaveSummary& w : s.waves) {
         json["waves"].push_back({{"waves_x", w.wave.mx},
@@ -147,6 +149,19 @@ nlohmann::ordered_json to_json(const PatternSummary& s) {
                                  {"coherent", w.coherent},
                                  {"coherent_error", w.coherent_error},
                                  {"multiplier", w.multiplier}});
+    }
+    for (const Fluctuation& f : s.fluctuations) {
+        json["fluctuations"].push_back({{"wavelength", f.wavelength},
+                                        {"waves", f.waves},
+                                        {"power", f.power},
+                                        {"persistent", f.decays.persistent},
+                                        {"persistent_error", f.errors.persistent},
+                                        {"persistent_factor", f.decays.persistent_factor},
+                                        {"persistent_factor_error", f.errors.persistent_factor},
+                                        {"alternating", f.decays.alternating},
+                                        {"alternating_error", f.errors.alternating},
+                                        {"alternating_factor", f.decays.alternating_factor},
+                                        {"alternating_factor_error", f.errors.alternating_factor}});
     }
     for (const PatternBlock& b : s.blocks)
         json["blocks"].push_back({{"mean_square", b.mean_square}, {"power_by_angle", b.by_angle}});

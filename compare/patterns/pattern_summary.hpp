@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <vector>
 
+#include "compare/patterns/fluctuations.hpp"
 #include "compare/patterns/power_spectrum.hpp"
 #include "fields/height_maps.hpp"
 
@@ -48,7 +49,8 @@ struct PatternSummary {
     double angle = 0.0;            // of the wavevector, [0, pi)
     double coherent_share = 0.0;  // of <psi^2> in the waves' alternating means, less what noise alone would leave there
     std::vector<WaveSummary> waves;    // the strongest, by power
-    std::vector<PatternBlock> blocks;  // at most ten, equally long, in order
+    std::vector<Fluctuation> fluctuations;  // of the longest waves, by wavelength; none for fewer than forty maps
+    std::vector<PatternBlock> blocks;       // at most ten, equally long, in order
 };
 
 /// Throws std::invalid_argument where the window holds no map.

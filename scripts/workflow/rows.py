@@ -11,6 +11,8 @@ import tempfile
 COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "interpolated_order", "interpolated_order_error", "wavelength", "angle",
            "coherent_share", "coherent", "coherent_error", "multiplier", "waves_x", "waves_y", "seconds", "command"]
 WAVE_COLUMNS = ["value", "waves_x", "root_mean_square", "coherent", "coherent_error", "multiplier", "seconds", "command"]
+FLUCTUATION_COLUMNS = ["value", "wavelength", "waves", "power", "persistent", "persistent_error", "persistent_factor", "persistent_factor_error",
+                       "alternating", "alternating_error", "alternating_factor", "alternating_factor_error", "seconds", "command"]
 ONE_RUN = pathlib.Path(__file__).with_name("one_run.py")
 ANGLES = 21
 MOST_WAVES = 1000000  # all there are
@@ -25,6 +27,7 @@ class Row:
     value: str
     overrides: tuple = ()
     waves: int = 0   # above 0: a line for each of so many waves along x, in place of one for the run
+    fluctuations: bool = False   # a line for each of the longest wavelengths: what lasts of it and what alternates
 
     @property
     def settings(self):
@@ -70,7 +73,14 @@ def fill(table, wanted, shaken, runs=None):
                 print(f"{row.command}: {' '.join(end['said'])}; no row", file=sys.stderr)
                 continue
             printed = subprocess.run([shaken, "patterns", folder, "--json", "--waves", str(MOST_WAVES)], check=True, capture_output=True, text=True)
-        (add_waves if row.waves else add)(table, row, json.loads(printed.stdout)[row.engine], end["seconds"])
+        found, seconds = json.loads(printed.stdout)[row.engine], end["seconds"]
+        if row.waves:
+            along = [wave for wave in found["waves"] if wave["waves_y"] == 0 and 0 < wave["waves_x"] <= row.waves]
+            add_lines(table, row, WAVE_COLUMNS, sorted(along, key=lambda wave: wave["waves_x"]), seconds)
+        elif row.fluctuations:
+            add_lines(table, row, FLUCTUATION_COLUMNS, found["fluctuations"], seconds)
+        else:
+            add(table, row, found, seconds)
     return 0
 
 
@@ -86,7 +96,7 @@ def add(table, row, found, seconds):
     cells |= {name: found["waves"][0][name] for name in columns if name in found["waves"][0]}
     cells |= {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
     with open(table, "a", newline="") as file:
-        csv.DictWriter(file, columns).writerow({name: digits(cell) for name, cell in cells.items()})
+        csv.DictWriter(file, columns, lineterminator="\n").writerow({name: digits(cell) for name, cell in cells.items()})
     print(f"{row.command}: <psi^2> {digits(found['mean_square'])}, P_max {digits(found['order'])}", flush=True)
     if row.engine == "md":
         add_blocks(table, row, found)
@@ -100,19 +110,18 @@ def add_blocks(table, row, found):
         blocks.write_text(",".join(["value", "run", "block", "mean_square", *(f"power_{a}" for a in range(ANGLES))]) + "\n")
     with open(blocks, "a", newline="") as file:
         for number, block in enumerate(found["blocks"]):
-            csv.writer(file).writerow([row.value, run, number, digits(block["mean_square"]), *map(digits, block["power_by_angle"])])
+            csv.writer(file, lineterminator="\n").writerow([row.value, run, number, digits(block["mean_square"]), *map(digits, block["power_by_angle"])])
 
 
-def add_waves(table, row, found, seconds):
-    """A line for each wave along x, the longest first."""
+def add_lines(table, row, columns, lines, seconds):
+    """Lines of one run, the longest wave first."""
     if not table.exists():
-        table.write_text(",".join(WAVE_COLUMNS) + "\n")
-    along = sorted((wave for wave in found["waves"] if wave["waves_y"] == 0 and 0 < wave["waves_x"] <= row.waves), key=lambda wave: wave["waves_x"])
+        table.write_text(",".join(columns) + "\n")
     with open(table, "a", newline="") as file:
-        for wave in along:
-            cells = wave | {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
-            csv.DictWriter(file, WAVE_COLUMNS).writerow({name: digits(cells[name]) for name in WAVE_COLUMNS})
-    print(f"{row.command}: {len(along)} waves", flush=True)
+        for line in lines:
+            cells = line | {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
+            csv.DictWriter(file, columns, lineterminator="\n").writerow({name: digits(cells[name]) for name in columns})
+    print(f"{row.command}: {len(lines)} waves", flush=True)
 
 
 def digits(cell):

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "compare/patterns/floquet.hpp"
+#include "compare/patterns/fluctuations.hpp"
 #include "compare/patterns/pattern_summary.hpp"
 #include "compare/patterns/polar_spectrum.hpp"
 #include "compare/patterns/power_spectrum.hpp"
@@ -143,6 +144,61 @@ TEST_CASE("the multiplier of a wave that grows and alternates is found, and onse
     const std::vector<double> controls{2.0, 2.2, 2.4}, multipliers{std::exp(-0.3), std::exp(-0.1), std::exp(0.1)};
     CHECK(compare::onset(controls, multipliers) == Approx(2.3).epsilon(1e-12));
     CHECK(std::isnan(compare::onset(controls, std::vector{0.5, 0.6, 0.7})));
+}
+
+TEST_CASE("two decays that make a covariance are found again, whatever its noise at lag nought") {
+    const auto [p, q] = GENERATE(std::pair{0.9, 0.8}, std::pair{0.3, 0.98}, std::pair{0.97, 0.5});
+    std::vector<double> covariance{100.0};
+    for (int l = 1; l < 9; ++l) covariance.push_back(0.2 * std::pow(p, l) + 0.7 * std::pow(-q, l));
+    const compare::TwoDecays found = compare::fit_two_decays(covariance);
+    CHECK(found.persistent_factor ==
+          Approx(p).margin(1e-3));  // the last steps are 1e-5 wide; a small factor is loosely held
+    CHECK(found.alternating_factor == Approx(q).margin(1e-3));
+    CHECK(found.persistent == Approx(0.2).epsilon(1e-2));
+    CHECK(found.alternating == Approx(0.7).epsilon(1e-2));
+}
+
+TEST_CASE(
+    "a damped wave that is kicked every cycle is told from drifts and noise, by wavelength, with errors that hold") {
+    // Every wave of the map: an alternating part of factor 0.8, a drift of factor 0.95, and the noise of a map.
+    constexpr int cycles = 2000;
+    constexpr double alternates = 0.8, lasts = 0.95, powers[] = {1.0, 0.5, 2.0};  // at l = 0
+    compare::MapTransform transform(square);
+    scene::RandomStream random(5);
+    const std::size_t waves = transform.waves().size();
+    std::vector<Amplitude> turning(waves), drifting(waves);
+    const auto kick = [&](double power) {
+        return std::sqrt(0.5 * power) * Amplitude(random.normal(), random.normal());
+    };
+    std::vector<std::vector<Amplitude>> series;
+    for (int c = -100; c < cycles; ++c) {
+        std::vector<Amplitude> map(waves);
+        for (std::size_t w = 0; w < 12; ++w) {
+            turning[w] = -alternates * turning[w] + kick(powers[0] * (1.0 - alternates * alternates));
+            drifting[w] = lasts * drifting[w] + kick(powers[1] * (1.0 - lasts * lasts));
+            map[w] = turning[w] + drifting[w] + kick(powers[2]);
+        }
+        if (c >= 0) series.push_back(map);
+    }
+    std::vector<compare::PlaneWave> known(transform.waves().begin(), transform.waves().begin() + 12);
+    const auto found = compare::fluctuations(known, series, 4);
+    REQUIRE(found.size() == 4);
+    for (std::size_t i = 1; i < found.size(); ++i) CHECK(found[i].wavelength < found[i - 1].wavelength);
+    double off = 0.0;
+    for (const compare::Fluctuation& wave : found) {
+        double share = 0.0;
+        for (const compare::PlaneWave& w : known)
+            if (std::abs(2.0 * pi / std::hypot(w.kx, w.ky) / wave.wavelength - 1.0) < 1e-6) share += w.share;
+        // Statistics: eight blocks of 250 cycles hold their error to a fifth or so; five of it.
+        CHECK(std::abs(wave.decays.alternating - share) < 5.0 * wave.errors.alternating);
+        CHECK(std::abs(wave.decays.persistent - 0.5 * share) < 5.0 * wave.errors.persistent);
+        CHECK(std::abs(wave.decays.alternating_factor - alternates) < 5.0 * wave.errors.alternating_factor);
+        CHECK(wave.errors.alternating_factor < 0.1);
+        CHECK(wave.power == Approx(3.5 * share).epsilon(0.2));
+        off += (wave.decays.alternating_factor - alternates) / 4.0;
+    }
+    CHECK(std::abs(off) < 0.05);  // no bias beyond the statistics of four
+    CHECK(compare::fluctuations(known, std::vector(series.begin(), series.begin() + 39), 4).empty());
 }
 
 TEST_CASE("a striped run is summed up as what it is") {
