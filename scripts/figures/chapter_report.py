@@ -5,6 +5,7 @@ import csv
 import html
 import importlib
 import json
+import re
 import sys
 from pathlib import Path
 
@@ -15,13 +16,18 @@ COLUMNS = (("zcm_rms_percent", "z<sub>cm</sub> rms, %"), ("zcm_rms_percent_half_
            ("temperature_rms", "T rms"), ("md.shock.mean_speed", "shock speed, MD"), ("continuum.shock.mean_speed", "continuum"))
 
 
+def in_order(path):
+    """5.2 before 5.10, and what has a name after what has a number."""
+    return [(part.isalpha(), int(part) if part.isdigit() else 0, part) for part in re.findall(r"\d+|[a-z]+", path.stem)]
+
+
 def main():
     if len(sys.argv) not in (3, 4):
         print("usage: chapter_report.py OUT COMMAND [TITLE]", file=sys.stderr)
         return 2
     out, command = Path(sys.argv[1]), sys.argv[2]
     title = sys.argv[3] if len(sys.argv) > 3 else "Chapter 4: shocks in a shaken layer, molecular dynamics and hydrodynamics"
-    drawn = sorted((out / "figures").glob("figure_*.png"))
+    drawn = sorted((out / "figures").glob("figure_*.png"), key=in_order)
     modules = [(importlib.import_module(path.stem), path) for path in drawn]
     summaries = {path.parent.name: json.loads(path.read_text()) for path in sorted((out / "comparisons").glob("*/summary.json"))}
     head = "".join(f"<th>{words}</th>" for _, words in COLUMNS)

@@ -31,6 +31,40 @@ def transverse(position, velocity, sides):
     return np.stack([(velocity[..., 1 - axis] * np.exp(-2j * np.pi * position[..., axis] / sides[axis])).sum(axis=1) for axis in (0, 1)], axis=1)
 
 
+def along_strip(path, reference, count):
+    """Wavelengths (count) of waves along x, and amplitudes (cycles, 2, count) of v_x and v_y in them at one phase of the cycle."""
+    if not path.is_file():
+        raise RunError(f"{path}: not there")
+    with h5py.File(path) as file:
+        length = tomllib.loads(file["provenance/scene"][()].decode())["box"]["x"]
+        group = file["particles/all"]
+        found = []
+        for i in np.flatnonzero(np.abs(group["phase"][:] - reference) < 1e-9):
+            wave = np.exp(-2j * np.pi * np.outer(np.arange(1, count + 1), group["position/value"][i, :, 0]) / length)
+            found.append((wave @ group["velocity/value"][i, :, :2]).T)
+    return length / np.arange(1, count + 1), np.array(found)
+
+
+def factor_a_cycle(amplitudes):
+    """Part of each amplitude (cycles, ...) that is left after a cycle, least squares: negative where the wave is turned round."""
+    return (amplitudes[1:] * amplitudes[:-1].conj()).real.sum(axis=0) / (np.abs(amplitudes[:-1]) ** 2).sum(axis=0)
+
+
+def turned_most(wavelengths, factors):
+    """Wavelength of the most negative factor: of a parabola in the logarithm of the wavelength through it and its neighbours."""
+    lowest = int(np.clip(np.argmin(factors), 1, len(factors) - 2))
+    near = slice(lowest - 1, lowest + 2)
+    curve = np.polyfit(np.log(wavelengths[near]), factors[near], 2)
+    return float(np.exp(-curve[1] / (2 * curve[0])))
+
+
+def without_blocks(values, blocks, measure):
+    """A measure of values (cycles, ...), and its standard error by leaving blocks of cycles out (Tukey 1958)."""
+    length = len(values) // blocks
+    left = np.array([measure(np.concatenate([values[:b * length], values[(b + 1) * length:]])) for b in range(blocks)])
+    return measure(values), np.sqrt((blocks - 1) / blocks * ((left - left.mean(axis=0)) ** 2).sum(axis=0))
+
+
 def survival(amplitudes, phases, reference):
     """Part of an amplitude at state `reference` of a cycle that is left later, at the states of that cycle and the next: (2 phases - reference)."""
     cycles = amplitudes.reshape(-1, phases, amplitudes.shape[-1])

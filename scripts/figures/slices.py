@@ -115,6 +115,16 @@ class Stripes:
         a = self.across
         return (r[:, a] - self.offset) % self.width, r[:, 1 - a], r[:, 2], v[:, a], v[:, 1 - a], v[:, 2], len(numbers)
 
+    def heights(self, ft, shares):
+        """Heights below which such shares of the mass lie."""
+        if self.engine == "md":
+            return np.quantile(self.particles(ft)[2], shares)
+        with h5py.File(self.path) as file:
+            row = file[f"frames/{self._found(ft)[-1]:05d}/density"][:].sum(axis=(1, 2))
+            spacing = file["grid/spacing"][2]
+        below = np.concatenate([[0], np.cumsum(row)]) / row.sum()
+        return self.plate(ft) + np.interp(shares, below, spacing * np.arange(len(below)))
+
     def at(self, ft, top=25.0):
         """The slice at ft in [0, 2), up to the height `top`."""
         return self._of_md(ft, top) if self.engine == "md" else self._of_continuum(ft, top)

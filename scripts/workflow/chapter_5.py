@@ -44,6 +44,7 @@ GRIDS = {"dx 2": ("continuum.spacing_horizontal=2",), "dx 1": ()}
 ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 # Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
+STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes
 SQUARES = ("1.8", "2.0", "2.1", "2.15", "2.2", "2.3", "2.6")   # Gamma of the cells of 42 x 42 whose order is looked at
 
 
@@ -82,6 +83,8 @@ def runs():
         "md_flat": run("md", STRIPES, [*flat, "sample.phases=20", "sample.settle=40", "sample.average=100", "sample.frames=20", "sample.frame_cycles=100"]),
         "continuum_flat": run("continuum", STRIPES, [*flat, "sample.phases=40", "sample.settle=20", "sample.average=2", "sample.frames=40", "continuum.dimension=1",
                                                      "continuum.spacing=0.1", "continuum.lid=25", "initial.noise=0"]),
+        **{f"md_strip_{gamma}": run("md", DISPERSION, [f"plate.acceleration={gamma}", "sample.settle=100", "sample.average=100", "sample.frames=4", "sample.frame_cycles=100"])
+           for gamma in STRIPS},
         **{f"md_square_{gamma}": run("md", STRIPES, [f"plate.acceleration={gamma}", "sample.phases=20", "sample.settle=100", "sample.average=2", "sample.frames=20",
                                                      "sample.frame_cycles=2", "sample.map_bin=0"]) for gamma in SQUARES},
         "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=100", *of_md]),
@@ -108,6 +111,8 @@ FIGURES = {
     "figure_5_10": SIDE_BY_SIDE,
     "figure_5_movie": SIDE_BY_SIDE,
     "figure_5_momentum": {"runs": ["md_flat", "continuum_flat", *(f"md_square_{gamma}" for gamma in SQUARES)]},
+    "figure_5_elastic": {"runs": [*(f"md_strip_{gamma}" for gamma in STRIPS), "continuum_flat"]},
+    "figure_5_sloshing": SIDE_BY_SIDE,
     "figure_5_growth": {"rows": [(GROWTH, growth_rows())]},
 }
 

@@ -97,6 +97,7 @@ FIGURES = {
     "figure_6_4": FIT,
     "figure_6_5": {"rows": [MD, (ONSET_SLOW_MD, onset_slow_rows())]},
     "figure_6_scatter": {"rows": [MD], "files": ["fit.json", "scatter.csv"]},
+    "figure_6_fluctuations": {"rows": [(FLUCTUATIONS_MD, fluctuation_rows())]},
     "figure_6_tables": {"runs": [f"states_{f}{e}" for f in ("0.25", "0.4174") for e in ("", "_constant")]},
 }
 

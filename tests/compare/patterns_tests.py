@@ -35,7 +35,7 @@ OUT = pathlib.Path(FOLDER.name)
 WIDE = "continuum.spacing_horizontal=2"
 # A strip of two wavelengths; no whole number of diameters across, where rows of spheres would lock.
 STRIP = ["box.x=42", "box.y=5.3", "particles.number=1336", "sample.phases=40", "sample.settle=24", "sample.average=16", "sample.map_bin=2",
-         "sample.frames=8", "sample.frame_cycles=4"]
+         "sample.frames=8", "sample.frame_cycles=16"]
 WAVE = ["initial.wave=0.5", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2", "continuum.spacing=0.4", "continuum.lid=25",
         "sample.settle=6", "sample.average=2", "sample.frame_cycles=2"]
 
@@ -152,6 +152,19 @@ class Momentum(unittest.TestCase):
         left = horizontal_momentum.survival(amplitudes, phases, 1)
         np.testing.assert_allclose(left[:5], [1, 0.5, -1.5, -4, -2], rtol=1e-12)  # round-off: one wave, no noise
 
+    def test_a_wave_that_is_turned_round_has_a_negative_factor_and_the_wavelength_of_the_most_is_found(self):
+        series = np.outer((-0.8) ** np.arange(12), [1.0, 2.0 - 1.0j])
+        np.testing.assert_allclose(horizontal_momentum.factor_a_cycle(series), -0.8, rtol=1e-12)  # round-off
+        wavelengths = 168.0 / np.arange(1, 17)
+        parabola = 3 * np.log(wavelengths / 40.0) ** 2 - 0.9
+        self.assertAlmostEqual(horizontal_momentum.turned_most(wavelengths, parabola), 40.0, delta=1e-6)  # round-off of a fit through three points
+
+    def test_the_error_of_a_mean_by_leaving_blocks_out_is_its_standard_error(self):
+        values = np.random.default_rng(2).normal(size=100)
+        mean, error = horizontal_momentum.without_blocks(values, 100, np.mean)
+        self.assertAlmostEqual(mean, values.mean(), delta=1e-12)
+        self.assertAlmostEqual(error, values.std(ddof=1) / 10, delta=1e-12)
+
     def test_a_triangular_lattice_has_order_1_and_a_square_one_none(self):
         rows_of = [(x + 0.5 * (y % 2), y * math.sqrt(0.75)) for y in range(10) for x in range(10)]
         self.assertAlmostEqual(horizontal_momentum.bond_order(np.array(rows_of), np.array([10, 10 * math.sqrt(0.75)])), 1, delta=1e-12)
@@ -192,7 +205,7 @@ class Figures(unittest.TestCase):
         fit = shaken("fit-noise", EXPECTED / "ch6_onset_md.csv", "--model", EXPECTED / "ch6_swift_hohenberg.csv")
         (OUT / "fit.json").write_text(fit)
         (OUT / "scatter.csv").write_text((EXPECTED / "ch6_fit_scatter.csv").read_text())
-        for name in ("figure_5_2", "figure_5_growth", "figure_6_2", "figure_6_3", "figure_6_4", "figure_6_5", "figure_6_scatter"):
+        for name in ("figure_5_2", "figure_5_growth", "figure_6_2", "figure_6_3", "figure_6_4", "figure_6_5", "figure_6_scatter", "figure_6_fluctuations"):
             self.assertTrue(self.draw(name), name)
 
     def test_figures_of_small_runs(self):
@@ -203,6 +216,21 @@ class Figures(unittest.TestCase):
         for name in ("figure_5_4", "figure_5_8", "figure_5_9", "figure_5_10"):
             drawn = self.draw(name)
             self.assertEqual({row["engine"] for row in drawn}, {"MD", "continuum"})
+
+    def test_stripes_slosh_towards_and_away_from_their_peaks(self):
+        small_continuum()
+        small_md()
+        drawn = self.draw("figure_5_sloshing")
+        for engine in ("MD", "continuum"):
+            curve = {float(row["ft"]): float(row["sloshing"]) for row in drawn if row["engine"] == engine}
+            self.assertLess(curve[0.0], 0)     # falling, towards the peaks
+            self.assertGreater(curve[0.5], 0)  # after the landing, away from where they were
+            self.assertGreater(curve[1.0], 0)  # a cycle later the other way
+            self.assertLess(curve[1.5], 0)
+            if engine == "MD":  # the continuum, after six cycles, still settles
+                for ft in (0.0, 0.25, 0.5, 0.75):
+                    # Measured 0.01 of the largest to 0.06: statistics of eight cycles of 1336 grains.
+                    self.assertAlmostEqual(curve[ft + 1], -curve[ft], delta=0.15 * max(map(abs, curve.values())))
 
     def test_a_flat_layer_of_md_lands_as_a_crystal(self):
         flat = ["plate.acceleration=2.0", "box.x=12.3", "box.y=12.3", "particles.number=908", "sample.phases=20", "sample.map_bin=0", "sample.frames=20"]
@@ -215,6 +243,10 @@ class Figures(unittest.TestCase):
         self.assertGreater(float(drawn[0]["psi_6 of the lowest plane"]), 0.8)
         fluid = [float(row["continuum"]) for row in drawn]
         self.assertEqual(fluid, sorted(fluid, reverse=True))  # only lost
+        small_md()
+        for name, of in (("md_strip_2.0", "md_flat"), ("md_strip_2.6", "md_stripes")):
+            (OUT / "runs" / name).symlink_to(OUT / "runs" / of)
+        self.assertEqual(len(self.draw("figure_5_elastic")), 2 * 2 * 16)
 
     def test_a_figure_that_is_not_there_is_refused_and_a_plan_told(self):
         reproduce = [SOURCE / "scripts/reproduce", "ch6", "--out", str(OUT / "plan")]
