@@ -11,7 +11,7 @@ from style import DENSITY, TEMPERATURE, plt, points, save
 NAME = "figure_5_growth"
 CAPTION = (
     "Growth from cycle to cycle of a wave of 21 diameters and one per cent of the density in the continuum, cycles 8 to 15, for each choice of closure, pair correlation, scheme and restitution in "
-    "the sink, on columns 2 wide (full markers) and 1 wide (open); above 1 the flat layer gives way to stripes; nothing is drawn where another wave or nothing of it is left (Bocquet's viscosity: everywhere). Below: the MD's order and the amplitude of its alternating wave. "
+    "the sink, on columns 2 wide (full markers) and 1 wide (open); above 1 the flat layer gives way to stripes; nothing is drawn where another wave or nothing of it is left (Bocquet's viscosity: everywhere). Triangles: the same wave in MD, from its fluctuations (figure 6.fluctuations). Below: the MD's order and the amplitude of its alternating wave. "
     "Broken: the source's onset in its continuum, 1.955, and in MD, 2.15."
 )
 # (closure, pair correlation, scheme): words, colour.
@@ -26,6 +26,7 @@ CHOICES = {
     ("jenkins_richman_dense", "goldshtein", "ftcs"): ("ftcs, no 1/G terms", "#7a3b9a"),
 }
 DISSIPATION = "0.1"   # default C_AD of ftcs
+WAVELENGTH = 21.0
 
 
 def family(row):
@@ -46,16 +47,21 @@ def draw(study):
         words, colour = CHOICES.get(kind[:3], ("other", "0.5"))
         words += f", $C_{{AD}}$ = {dissipation}" if scheme == "ftcs" else ""
         chosen = sorted((row["value"], abs(row["multiplier"])) for row in rows if family(row) == kind)
-        shown[words] = colour
+        shown[words] = colour, "o" if dissipation == DISSIPATION else "s"
         upper.plot(*zip(*chosen), color=colour, ls="-" if law == "e(v)" else ":", marker="o" if dissipation == DISSIPATION else "s", ms=3.5, lw=0.9,
                    mfc=colour if wide == 2 else "white")
         for gamma, factor in chosen:
             for name, value in zip(names, (*kind, gamma, factor)):
                 columns[name].append(value)
+    grains = tables.small_waves(WAVELENGTH)
+    points(upper, *([row[key] for row in grains] for key in ("value", "alternating_factor")), y_error=[row["alternating_factor_error"] for row in grains], marker="^", ms=7, color=DENSITY)
+    for row in grains:
+        for name, value in zip(names, ("MD", "", "", "", "e(v)", "", row["value"], row["alternating_factor"])):
+            columns[name].append(value)
     upper.axhline(1.0, color="0.5", lw=0.8)
     upper.set_ylabel("growth of the wave a cycle")
     upper.set_ylim(0.4, 1.4)
-    handles = [plt.Line2D([], [], color=colour, marker="o", ms=3.5, lw=0.9, label=words) for words, colour in shown.items()]
+    handles = [plt.Line2D([], [], color=DENSITY, marker="^", ms=7, lw=0, label="MD, from its fluctuations")] + [plt.Line2D([], [], color=colour, marker=marker, ms=3.5, lw=0.9, label=words) for words, (colour, marker) in shown.items()]
     upper.legend(handles=handles, loc="lower right", fontsize=7, title="lines: sink of e(v), $e_0$ = 0.7; dotted: constant 0.7\nfull: $dx$ = 2, open: $dx$ = 1", title_fontsize=7)
     onset = tables.rows("ch6_onset_md.csv")
     value, order, order_error, wave, wave_error = (np.array([row[key] for row in onset]) for key in ("value", "order", "order_error", "coherent", "coherent_error"))

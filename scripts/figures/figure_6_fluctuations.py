@@ -14,14 +14,9 @@ CAPTION = (
     "wavelength in the strip of 168 x 10 at three peak accelerations below the onset of stripes of 21; crosses: the continuum in that strip at 2.2, from noise. Dotted: 42 and a third of it. "
     "(c) The factor against the acceleration in cells of 42 x 42, waves of 21 and 42, MD, and of the wave of 21 in the continuum on columns 2 wide. Broken: the source's onsets, 1.955 (continuum) and 2.15 (MD). Bars: one standard error."
 )
-STRIP, CELL = "data/scenes/ch5_dispersion.toml", "data/scenes/ch6_onset.toml"
+STRIP = "data/scenes/ch5_dispersion.toml"
 COLOURS = (LENGTH, DENSITY, MACH)
-SEEN = 2.0           # standard errors by which a part must differ from nought for its factor to say something
 RESONANT = 42.0      # sigma
-
-
-def seen(rows):
-    return [row for row in rows if row["alternating"] > SEEN * row["alternating_error"]]
 
 
 def continuum_by_wave():
@@ -37,8 +32,7 @@ def continuum_against_gamma(closure):
 
 
 def draw(study):
-    rows = tables.rows("ch6_fluctuations_md.csv")
-    strip, cell = ([row for row in rows if f" {scene}" in row["command"]] for scene in (STRIP, CELL))
+    strip = [row for row in tables.rows("ch6_fluctuations_md.csv") if f" {STRIP}" in row["command"] and row["alternating"] > tables.SEEN * row["alternating_error"]]
     figure, (powers, factors, onset) = plt.subplots(3, 1, figsize=(6.4, 9.2), height_ratios=(1, 1, 1.3))
     columns = {name: [] for name in ("of", "Gamma", "wavelength/sigma", "mean square/sigma^2", "error", "factor a cycle", "its error")}
 
@@ -48,7 +42,7 @@ def draw(study):
                 columns[name].append(value)
 
     for gamma, colour in zip(sorted({row["value"] for row in strip}), COLOURS):
-        some = seen([row for row in strip if row["value"] == gamma])
+        some = [row for row in strip if row["value"] == gamma]
         at = [row["wavelength"] for row in some]
         for axis, key in ((powers, "alternating"), (factors, "alternating_factor")):
             points(axis, at, [row[key] for row in some], y_error=[row[f"{key}_error"] for row in some], marker="o", ms=4, color=colour, linestyle="-", lw=0.8, label=rf"MD, $\Gamma$ = {gamma:g}")
@@ -69,7 +63,7 @@ def draw(study):
     powers.legend(fontsize=8)
     factors.legend(fontsize=8, loc="lower left")
     for wave, marker, colour in ((21.0, "^", DENSITY), (42.0, "s", LENGTH)):
-        some = sorted(seen([row for row in cell if abs(row["wavelength"] - wave) < 0.01]), key=lambda row: row["value"])
+        some = tables.small_waves(wave)
         points(onset, [row["value"] for row in some], [row["alternating_factor"] for row in some], y_error=[row["alternating_factor_error"] for row in some],
                marker=marker, ms=5, color=colour, mfc="white", linestyle="-", lw=0.8, label=rf"MD, wave of {wave:g}")
         kept("MD, cell", some)

@@ -20,8 +20,8 @@ LOOKS = {
 RUNS = (("MD", "md_stripes", "md"), ("continuum", "continuum_stripes", "continuum"))
 
 
-def both(study):
-    return [(label, Stripes(study.folder / "runs" / run, engine)) for label, run, engine in RUNS]
+def both(study, runs=RUNS):
+    return [(label, Stripes(study.folder / "runs" / run, engine)) for label, run, engine in runs]
 
 
 def panel(axis, piece, field):
@@ -76,11 +76,11 @@ def one_field(study, name, field, phases=(0.0, 0.25, 0.5, 0.75)):
     return finish(study, figure, axes, name, parts, [(image, axes, LOOKS[field][0])])
 
 
-def two_fields(study, name, fields, phases=(0.875, 1.0, 1.125, 1.25)):
+def two_fields(study, name, fields, phases=(0.875, 1.0, 1.125, 1.25), runs=RUNS):
     """One collision with the plate: two fields, each of MD and continuum side by side."""
     figure, axes = plt.subplots(len(phases), 4, figsize=(10.6, 6.6), sharex=True, sharey=True)
     parts, bars = [], []
-    engines = both(study)
+    engines = both(study, runs)
     for pair, field in enumerate(fields):
         for side, (label, stripes) in enumerate(engines):
             for row, ft in enumerate(phases):

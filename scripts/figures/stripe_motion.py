@@ -12,7 +12,7 @@ LAYER = 0.95                 # share of the mass whose hottest height is sought:
 
 
 def motion(stripes, ft):
-    """{part: value} at one of the phases of two cycles; lengths in sigma, velocities in sqrt(g sigma). foot and crest are above the plate, densest is a mean over x and BIN_Z of height."""
+    """{part: value} at one of the phases of two cycles; lengths in sigma, velocities in sqrt(g sigma). foot, crest and top (of a gas: the lid) are above the plate, densest is a mean over x and BIN_Z of height."""
     piece = stripes.at(ft, top=60.0)
     x, z = ((edges[1:] + edges[:-1]) / 2 for edges in (piece.x, piece.z))
     nu, u, temperature = (np.nan_to_num(piece.fields[name]) for name in ("nu", "u_x", "T"))
@@ -21,10 +21,10 @@ def motion(stripes, ft):
     column, row = nu.sum(axis=0), nu.sum(axis=1)
     height = (nu * z[:, None]).sum(axis=0) / column
     below = np.cumsum(row) / row.sum()
-    foot, crest = stripes.heights(ft, (FOOT, CREST)) - piece.plate
+    foot, crest, top = stripes.heights(ft, (FOOT, CREST, 1.0)) - piece.plate
     hot = np.where(below < LAYER, (nu * temperature).sum(axis=1) / np.maximum(row, 1e-300), 0)
     return {"height wave": 2 * float(np.mean(height * np.cos(angle))), "sloshing": 2 * float((nu * u * np.sin(angle)).sum() / nu.sum()),
-            "densest": float(np.convolve(nu.mean(axis=1), np.full(thick, 1 / thick), "valid").max()), "mass below the hottest": float(below[np.argmax(hot)]), "foot": float(foot), "crest": float(crest)}
+            "densest": float(np.convolve(nu.mean(axis=1), np.full(thick, 1 / thick), "valid").max()), "mass below the hottest": float(below[np.argmax(hot)]), "foot": float(foot), "crest": float(crest), "top": float(top)}
 
 
 def crossings(ft, values):

@@ -10,6 +10,9 @@ import numpy as np
 SMALLEST = 1e-3      # sigma, over the wave of the density that was put in: what is smaller after eight cycles has nothing left of it
 PUT_IN = "0.01"      # of the density, the scene's
 WAVELENGTH = 21.0
+GROWN = 8            # cycles of these runs over which growth is measured
+ALTERNATING = 0.4
+SEEN = 2.0           # standard errors by which an alternating part must differ from nought for its factor to say something
 DATA = Path(__file__).resolve().parents[2] / "data"
 
 
@@ -54,10 +57,22 @@ def references(chapter):
     return tomllib.loads((DATA / "references" / f"chapter_{chapter}.toml").read_text())
 
 
+def small_waves(wavelength, scene="data/scenes/ch6_onset.toml"):
+    """Rows of the MD's fluctuations in a cell, of one wavelength whose alternating part differs from nought by SEEN errors, by Gamma."""
+    return sorted((row for row in rows("ch6_fluctuations_md.csv") if f" {scene}" in row["command"] and abs(row["wavelength"] / wavelength - 1) < 1e-3
+                   and row["alternating"] > SEEN * row["alternating_error"]), key=lambda row: row["value"])
+
+
 def growth_rows():
     """Rows of ch5_growth.csv in which the wave that was put in is what is left and alternates, with more than SMALLEST of its size."""
     return [row for row in rows("ch5_growth.csv")
-            if row["coherent"] > row["coherent_error"] and row["coherent"] > SMALLEST * float(setting(row, "initial.wave", PUT_IN)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
+            if alternates(row) and row["coherent"] > SMALLEST * float(setting(row, "initial.wave", PUT_IN)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
+
+
+def alternates(row):
+    """Whether <psi^2> is that of a wave that only alternates and grows by the row's factor, to a factor of ALTERNATING: its alternating mean squared, over both."""
+    sizes = abs(row["multiplier"]) ** np.arange(GROWN)
+    return 2 * row["coherent"] ** 2 / row["mean_square"] > ALTERNATING * sizes.mean() ** 2 / (sizes**2).mean()
 
 
 def growth_onset(closure="jenkins_richman", pair="goldshtein", restitution=None, wide=None, scheme=None):

@@ -72,7 +72,8 @@ def runs():
     of_md = two_cycles + ["sample.frame_cycles=8"]
     large = ["box.x=126", "box.y=126", "particles.number=95256", "sample.phases=20", "sample.frames=0", "sample.average=2"]
     # Stripes that grow from noise by 3 per cent a cycle take hundreds of cycles: the continuum starts from a wave.
-    wave = ["initial.wave=0.5", "initial.noise=0"]
+    waves_of_21 = [*two_cycles, "sample.settle=40", "sample.frame_cycles=2", "initial.wave=0.5", "initial.noise=0", "initial.wave_x=2", "initial.wave_y=0",
+                   "continuum.dimension=2", "continuum.spacing=0.2", "continuum.lid=25"]
 
     def run(engine, scene, changes):
         return {"engine": engine, "scene": scene, "changes": changes, "start": None}
@@ -88,9 +89,9 @@ def runs():
         **{f"md_square_{gamma}": run("md", STRIPES, [f"plate.acceleration={gamma}", "sample.phases=20", "sample.settle=100", "sample.average=2", "sample.frames=20",
                                                      "sample.frame_cycles=2", "sample.map_bin=0"]) for gamma in SQUARES},
         "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=100", *of_md]),
-        "continuum_stripes": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", "sample.settle=40", *two_cycles, *wave,
-                                                        "sample.frame_cycles=2", "initial.wave_x=2", "initial.wave_y=0", "continuum.dimension=2",
-                                                        "continuum.spacing=0.2", "continuum.spacing_horizontal=1.0", "continuum.lid=25"]),
+        "continuum_stripes": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", *waves_of_21, "continuum.spacing_horizontal=1.0"]),
+        "continuum_fluid": run("continuum", STRIPES, [f"plate.acceleration={PUBLISHED}", *waves_of_21, "continuum.spacing_horizontal=2.0",
+                                                      "continuum.closure=jenkins_richman_fluid"]),
         "md_large": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=150", "sample.map_bin=1", *large]),
     }
 
@@ -112,7 +113,8 @@ FIGURES = {
     "figure_5_movie": SIDE_BY_SIDE,
     "figure_5_momentum": {"runs": ["md_flat", "continuum_flat", *(f"md_square_{gamma}" for gamma in SQUARES)]},
     "figure_5_elastic": {"runs": [*(f"md_strip_{gamma}" for gamma in STRIPS), "continuum_flat"]},
-    "figure_5_sloshing": SIDE_BY_SIDE,
+    "figure_5_sloshing": {"runs": [*SIDE_BY_SIDE["runs"], "continuum_fluid"]},
+    "figure_5_fluid": {"runs": ["md_stripes", "continuum_fluid"]},
     "figure_5_growth": {"rows": [(GROWTH, growth_rows())]},
 }
 

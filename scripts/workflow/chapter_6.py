@@ -59,7 +59,8 @@ def fluctuation_rows():
     long = ("sample.settle=100", "sample.average=200")
     strip = [Row("md", DISPERSION, "plate.acceleration", gamma, long) for gamma in STRIP_ACCELERATIONS]
     last_of = {row.value: row for row in onset_rows()}   # one run of each acceleration
-    return [dataclasses.replace(row, fluctuations=True) for row in (*strip, *last_of.values(), *onset_slow_rows()[-len(LONGER):])]
+    slow = [row for row in onset_slow_rows() if float(row.value) < 1.9]
+    return [dataclasses.replace(row, fluctuations=first) for first, some in ((100, (*strip, *last_of.values())), (30, slow)) for row in some]
 
 
 def continuum_rows():

@@ -11,7 +11,7 @@ import tempfile
 COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "interpolated_order", "interpolated_order_error", "wavelength", "angle",
            "coherent_share", "coherent", "coherent_error", "multiplier", "waves_x", "waves_y", "seconds", "command"]
 WAVE_COLUMNS = ["value", "waves_x", "root_mean_square", "coherent", "coherent_error", "multiplier", "seconds", "command"]
-FLUCTUATION_COLUMNS = ["value", "wavelength", "waves", "power", "persistent", "persistent_error", "persistent_factor", "persistent_factor_error",
+FLUCTUATION_COLUMNS = ["value", "first_cycle", "wavelength", "waves", "power", "persistent", "persistent_error", "persistent_factor", "persistent_factor_error",
                        "alternating", "alternating_error", "alternating_factor", "alternating_factor_error", "seconds", "command"]
 ONE_RUN = pathlib.Path(__file__).with_name("one_run.py")
 ANGLES = 21
@@ -27,7 +27,7 @@ class Row:
     value: str
     overrides: tuple = ()
     waves: int = 0   # above 0: a line for each of so many waves along x, in place of one for the run
-    fluctuations: bool = False   # a line for each of the longest wavelengths: what lasts of it and what alternates
+    fluctuations: int | None = None   # a line for each of the longest wavelengths: what lasts of it and what alternates, from this cycle on
 
     @property
     def settings(self):
@@ -72,13 +72,14 @@ def fill(table, wanted, shaken, runs=None):
             if end["exit_code"]:
                 print(f"{row.command}: {' '.join(end['said'])}; no row", file=sys.stderr)
                 continue
-            printed = subprocess.run([shaken, "patterns", folder, "--json", "--waves", str(MOST_WAVES)], check=True, capture_output=True, text=True)
+            first = [] if row.fluctuations is None else ["--from", str(row.fluctuations)]
+            printed = subprocess.run([shaken, "patterns", folder, "--json", "--waves", str(MOST_WAVES), *first], check=True, capture_output=True, text=True)
         found, seconds = json.loads(printed.stdout)[row.engine], end["seconds"]
         if row.waves:
             along = [wave for wave in found["waves"] if wave["waves_y"] == 0 and 0 < wave["waves_x"] <= row.waves]
             add_lines(table, row, WAVE_COLUMNS, sorted(along, key=lambda wave: wave["waves_x"]), seconds)
-        elif row.fluctuations:
-            add_lines(table, row, FLUCTUATION_COLUMNS, found["fluctuations"], seconds)
+        elif row.fluctuations is not None:
+            add_lines(table, row, FLUCTUATION_COLUMNS, [line | {"first_cycle": row.fluctuations} for line in found["fluctuations"]], seconds)
         else:
             add(table, row, found, seconds)
     return 0
