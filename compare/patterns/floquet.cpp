@@ -40,6 +40,16 @@ Amplitude multiplier(std::span<const Amplitude> amplitudes) {
     return -std::exp(sum / static_cast<double>(amplitudes.size() - 1));
 }
 
+double alternating_multiplier(std::span<const Amplitude> amplitudes) {
+    if (amplitudes.size() < 4) throw std::invalid_argument("a multiplier of what alternates needs four cycles");
+    std::vector<Amplitude> alternating;
+    for (std::size_t i = 2; i < amplitudes.size(); ++i)
+        alternating.push_back(0.25 * (amplitudes[i - 2] - 2.0 * amplitudes[i - 1] + amplitudes[i]));
+    for (std::size_t i = 1; i < alternating.size(); ++i)
+        if ((alternating[i] * std::conj(alternating[i - 1])).real() >= 0.0) return std::nan("");
+    return -std::abs(multiplier(alternating));
+}
+
 double onset(std::span<const double> controls, std::span<const double> multipliers) {
     for (std::size_t i = 1; i < controls.size(); ++i) {
         const double before = std::log(multipliers[i - 1]), after = std::log(multipliers[i]);

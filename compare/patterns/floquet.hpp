@@ -27,6 +27,11 @@ CoherentPart coherent_part(std::span<const std::int64_t> cycles, std::span<const
 /// std::invalid_argument for fewer than two.
 Amplitude multiplier(std::span<const Amplitude> amplitudes);
 
+/// The same of the part that alternates, where something that lasts or drifts lies beneath it: of the second
+/// differences, from which what is constant or linear in the cycle is gone. -|mu|; NaN where not every one of them
+/// changes sign, so that nothing alternates. Throws std::invalid_argument for fewer than four.
+double alternating_multiplier(std::span<const Amplitude> amplitudes);
+
 /// Where |multiplier| crosses 1, by linear interpolation of its logarithm in the control (the plate's acceleration);
 /// NaN where it does not. Controls ascend.
 double onset(std::span<const double> controls, std::span<const double> multipliers);

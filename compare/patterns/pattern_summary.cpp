@@ -111,11 +111,12 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
     for (const std::size_t w : by_power) {
         WaveSummary wave{transform.waves()[w], std::abs(parts[w].mean), parts[w].error};
         wave.root_mean_square = std::sqrt(power[w] / wave.wave.share);
-        wave.multiplier = std::nan("");
+        wave.multiplier = wave.alternating_multiplier = std::nan("");
         if (seen.cycles.size() > 1) {
             const Amplitude mu = multiplier(seen.of_wave(w));
             wave.multiplier = std::copysign(std::abs(mu), mu.real());
         }
+        if (seen.cycles.size() > 3) wave.alternating_multiplier = alternating_multiplier(seen.of_wave(w));
         summary.waves.push_back(wave);
     }
     summary.fluctuations = fluctuations(transform.waves(), seen.amplitudes, longest_waves);
@@ -148,7 +149,8 @@ nlohmann::ordered_json to_json(const PatternSummary& s) {
                                  {"root_mean_square", w.root_mean_square},
                                  {"coherent", w.coherent},
                                  {"coherent_error", w.coherent_error},
-                                 {"multiplier", w.multiplier}});
+                                 {"multiplier", w.multiplier},
+                                 {"alternating_multiplier", w.alternating_multiplier}});
     }
     for (const Fluctuation& f : s.fluctuations) {
         json["fluctuations"].push_back({{"wavelength", f.wavelength},

@@ -29,6 +29,7 @@ struct WaveSummary {
     double coherent = 0.0, coherent_error = 0.0;  // |mean of (-1)^cycle a|, sigma, and its error
     double root_mean_square = 0.0;                // of |a|, sigma
     double multiplier = 0.0;                      // from cycle to cycle: modulus, negative at half the frequency
+    double alternating_multiplier = 0.0;          // of the part that alternates; NaN where none does
 };
 
 /// Mean spectrum of one block of cycles, as far as the onset of a pattern needs it.
@@ -48,7 +49,7 @@ struct PatternSummary {
     double wavelength = 0.0;       // sigma
     double angle = 0.0;            // of the wavevector, [0, pi)
     double coherent_share = 0.0;  // of <psi^2> in the waves' alternating means, less what noise alone would leave there
-    std::vector<WaveSummary> waves;    // the strongest, by power
+    std::vector<WaveSummary> waves;         // the strongest, by power
     std::vector<Fluctuation> fluctuations;  // of the longest waves, by wavelength; none for fewer than forty maps
     std::vector<PatternBlock> blocks;       // at most ten, equally long, in order
 };

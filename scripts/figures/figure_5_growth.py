@@ -46,7 +46,7 @@ def draw(study):
         closure, pair, scheme, dissipation, law, wide = kind
         words, colour = CHOICES.get(kind[:3], ("other", "0.5"))
         words += f", $C_{{AD}}$ = {dissipation}" if scheme == "ftcs" else ""
-        chosen = sorted((row["value"], abs(row["multiplier"])) for row in rows if family(row) == kind)
+        chosen = sorted((row["value"], tables.factor(row)) for row in rows if family(row) == kind)
         shown[words] = colour, "o" if dissipation == DISSIPATION else "s"
         upper.plot(*zip(*chosen), color=colour, ls="-" if law == "e(v)" else ":", marker="o" if dissipation == DISSIPATION else "s", ms=3.5, lw=0.9,
                    mfc=colour if wide == 2 else "white")

@@ -28,7 +28,7 @@ def continuum_by_wave():
 def continuum_against_gamma(closure):
     rows = [row for row in tables.growth_rows() if tables.setting(row, "continuum.closure") == closure and tables.setting(row, "continuum.pair_correlation") == "goldshtein"
             and tables.setting(row, "continuum.spacing_horizontal") == "2" and not tables.setting(row, "continuum.restitution") and not tables.setting(row, "continuum.scheme")]
-    return sorted((row["value"], abs(row["multiplier"])) for row in rows)
+    return sorted((row["value"], tables.factor(row)) for row in rows)
 
 
 def draw(study):

@@ -14,6 +14,7 @@ from style import plt, save
 
 NAME = "overhead_map"
 PHASE = 0.25
+SHOWN = 98           # per cent of the bins within the colours' ends: single grains that fly high would hide the waves
 LABEL = r"$\psi = z_{cm} - \langle z_{cm}\rangle$, $\sigma$"
 
 
@@ -60,14 +61,14 @@ def new_columns():
 def panels(study, name, runs, columns_of_panels):
     """The last cycle of several runs of a study, [(label, run, engine)], on one scale."""
     found = [(label, *maps_of(study.folder / "runs" / run / f"{engine}.h5")) for label, run, engine in runs]
-    limit = max(np.abs(psi[-1]).max() for _, psi, *_ in found)
+    limit = max(np.percentile(np.abs(psi[-1]), SHOWN) for _, psi, *_ in found)
     rows = -(-len(runs) // columns_of_panels)
     figure, axes = plt.subplots(rows, columns_of_panels, figsize=(3.5 * columns_of_panels, 3.4 * rows), squeeze=False)
     columns = new_columns()
     for axis, (label, psi, cycles, sides, gamma) in zip(axes.ravel(), found):
         image = panel(axis, psi[-1], sides, limit, rf"{label}, $\Gamma$ = {gamma:g}")
         add(columns, label, gamma, cycles[-1], psi[-1], sides)
-    figure.colorbar(image, ax=axes, label=LABEL, shrink=0.8)
+    figure.colorbar(image, ax=axes, label=LABEL, shrink=0.8, extend="both")
     return save(figure, study.figures, name, columns)
 
 

@@ -69,15 +69,24 @@ def growth_rows():
             if alternates(row) and row["coherent"] > SMALLEST * float(setting(row, "initial.wave", PUT_IN)) and abs(row["wavelength"] / WAVELENGTH - 1) < 0.1]
 
 
+def factor(row):
+    """Growth a cycle of the wave's alternating part; of the whole wave in rows that hold no other, which is the same where nothing else is left."""
+    alternating = row.get("alternating_multiplier")
+    return abs(alternating if isinstance(alternating, float) else row["multiplier"])
+
+
 def alternates(row):
-    """Whether <psi^2> is that of a wave that only alternates and grows by the row's factor, to a factor of ALTERNATING: its alternating mean squared, over both."""
+    """Whether the wave alternates: from cycle to cycle where a row says so, or else as <psi^2> is that of a wave that only alternates and grows by the
+    row's factor, to a factor of ALTERNATING: its alternating mean squared, over both."""
+    if isinstance(row.get("alternating_multiplier"), float):
+        return not np.isnan(row["alternating_multiplier"])
     sizes = abs(row["multiplier"]) ** np.arange(GROWN)
     return 2 * row["coherent"] ** 2 / row["mean_square"] > ALTERNATING * sizes.mean() ** 2 / (sizes**2).mean()
 
 
 def growth_onset(closure="jenkins_richman", pair="goldshtein", restitution=None, wide=None, scheme=None):
     """Gamma at which the continuum's wave of 21 neither grows nor fades, between the rows of ch5_growth.csv; NaN if it does not cross."""
-    chosen = sorted((row["value"], np.log(abs(row["multiplier"]))) for row in growth_rows()
+    chosen = sorted((row["value"], np.log(factor(row))) for row in growth_rows()
                     if setting(row, "closure", "jenkins_richman") == closure and setting(row, "pair_correlation", "goldshtein") == pair
                     and setting(row, "continuum.restitution") == restitution and setting(row, "spacing_horizontal") == wide
                     and setting(row, "continuum.scheme") == scheme)

@@ -97,9 +97,10 @@ def runs():
 
 
 SIDE_BY_SIDE = {"runs": ["md_stripes", "continuum_stripes"]}
+ALL_THREE = {"runs": ["md_stripes", "continuum_stripes", "continuum_fluid"]}
 # runs: what OUT/runs must hold; rows: (table, rows) to be filled first; long: made only when asked for by name.
 FIGURES = {
-    "figure_5_1": SIDE_BY_SIDE,
+    "figure_5_1": ALL_THREE,
     "figure_5_1_large": {"runs": ["md_large"], "long": True},
     "figure_5_2": {"rows": [(DISPERSION_MD, dispersion_rows("md")), (DISPERSION_CONTINUUM, growth_by_wave_rows())]},
     "figure_5_3": {"runs": ["md_stripes"]},
@@ -113,7 +114,7 @@ FIGURES = {
     "figure_5_movie": SIDE_BY_SIDE,
     "figure_5_momentum": {"runs": ["md_flat", "continuum_flat", *(f"md_square_{gamma}" for gamma in SQUARES)]},
     "figure_5_elastic": {"runs": [*(f"md_strip_{gamma}" for gamma in STRIPS), "continuum_flat"]},
-    "figure_5_sloshing": {"runs": [*SIDE_BY_SIDE["runs"], "continuum_fluid"]},
+    "figure_5_sloshing": ALL_THREE,
     "figure_5_fluid": {"runs": ["md_stripes", "continuum_fluid"]},
     "figure_5_growth": {"rows": [(GROWTH, growth_rows())]},
 }

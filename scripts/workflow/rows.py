@@ -9,7 +9,7 @@ import sys
 import tempfile
 
 COLUMNS = ["value", "mean_square", "mean_square_error", "relative_mean_square", "order", "order_error", "interpolated_order", "interpolated_order_error", "wavelength", "angle",
-           "coherent_share", "coherent", "coherent_error", "multiplier", "waves_x", "waves_y", "seconds", "command"]
+           "coherent_share", "coherent", "coherent_error", "multiplier", "alternating_multiplier", "waves_x", "waves_y", "seconds", "command"]
 WAVE_COLUMNS = ["value", "waves_x", "root_mean_square", "coherent", "coherent_error", "multiplier", "seconds", "command"]
 FLUCTUATION_COLUMNS = ["value", "first_cycle", "wavelength", "waves", "power", "persistent", "persistent_error", "persistent_factor", "persistent_factor_error",
                        "alternating", "alternating_error", "alternating_factor", "alternating_factor_error", "seconds", "command"]
@@ -126,4 +126,4 @@ def add_lines(table, row, columns, lines, seconds):
 
 
 def digits(cell):
-    return f"{cell:.6g}" if isinstance(cell, float) else cell
+    return "nan" if cell is None else f"{cell:.6g}" if isinstance(cell, float) else cell

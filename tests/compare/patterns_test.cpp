@@ -201,6 +201,22 @@ TEST_CASE(
     CHECK(compare::fluctuations(known, std::vector(series.begin(), series.begin() + 39), 4).empty());
 }
 
+TEST_CASE("the growth of what alternates is found above what lasts and drifts") {
+    std::vector<Amplitude> wave, drift, drifting;
+    for (int c = 0; c < 8; ++c) {
+        wave.push_back(std::pow(-0.9, c) * Amplitude(0.3, 0.4));
+        drift.push_back(Amplitude(2.0, -1.0) + 0.25 * c);
+        drifting.push_back(wave.back() + drift.back());
+    }
+    CHECK(compare::alternating_multiplier(wave) == Approx(-0.9).epsilon(1e-12));  // round-off
+    CHECK(compare::alternating_multiplier(drifting) == Approx(-0.9).epsilon(1e-12));
+    CHECK(std::abs(compare::multiplier(drifting)) > 0.95);  // what a multiplier of the whole would say
+    std::vector<Amplitude> growing;
+    for (int c = 0; c < 8; ++c) growing.push_back(std::pow(1.2, c));
+    CHECK(std::isnan(compare::alternating_multiplier(growing)));  // nothing alternates
+    CHECK_THROWS(compare::alternating_multiplier(std::vector<Amplitude>(3)));
+}
+
 TEST_CASE("a striped run is summed up as what it is") {
     fields::HeightMaps maps(square);
     scene::RandomStream random(11);
