@@ -6,22 +6,27 @@ import numpy as np
 
 import run_folder
 import tables
-from style import DENSITY, TEMPERATURE, plt, save
+from style import DENSITY, MACH, TEMPERATURE, plt, save
 
 NAME = "figure_5_2"
 CAPTION = (
     "Figure 5.2. (a) Wavelength over depth of the strongest wave of a strip of 168 x 10, Gamma = 2.2: MD after 40 cycles (circles; open where less than "
     "a fifth of the power alternates from cycle to cycle, that is without a pattern), and the strongest of the waves that alternate in the "
-    "continuum 8 to 15 cycles after a start from noise (triangles; open where it fades). Bars: the wavelengths that the strip allows, half a wave more or less. Line: fit to experiments with "
+    "continuum 8 to 15 cycles after a start from noise (triangles; downward: with a fluid's transport at packing, jenkins_richman_fluid; open where it fades; at 0.15 and 0.2 it is nearly full-grown by then). Bars: the wavelengths that the strip allows, half a wave more or less. Line: fit to experiments with "
     "its error. (b) Growth of that wave from cycle to cycle over these cycles."
 )
 LENGTH, DEPTH = 168.0, 5.4
+LEFT = 1e-5             # sigma, of waves that began with some 1e-2
 ALTERNATES = 0.2        # share of the power, less what noise leaves there, that alternates from cycle to cycle in a pattern
 
 
+# Words, closure, marker, colour, shift along f* so that bars do not hide each other.
+CONTINUA = (("continuum", "jenkins_richman", "^", TEMPERATURE, 0.004), ("a fluid's transport", "jenkins_richman_fluid", "v", MACH, 0.008))
+
+
 def strongest(rows):
-    """The alternating wave of the greatest power at one frequency, as the source takes it; None where none alternates."""
-    return max((row for row in rows if row["multiplier"] < 0), key=lambda row: row["root_mean_square"], default=None)
+    """The alternating wave of the greatest power at one frequency, as the source takes it; None where none is left that alternates."""
+    return max((row for row in rows if row["multiplier"] < 0 and row["root_mean_square"] > LEFT), key=lambda row: row["root_mean_square"], default=None)
 
 
 def bars(waves):
@@ -49,22 +54,22 @@ def draw(study):
     for row in md:
         if row["waves_x"]:
             point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent_share"] > ALTERNATES, 0)
-    factors = []
-    for frequency in sorted({row["value"] for row in waves}):
-        best = strongest([row for row in waves if row["value"] == frequency])
-        if best:
-            point("continuum", frequency, best["waves_x"], -best["multiplier"], "^", TEMPERATURE, best["multiplier"] < -1, 0.004)
-            factors.append((frequency, -best["multiplier"]))
+    for label, closure, marker, colour, shift in CONTINUA:
+        factors = []
+        rows = [row for row in waves if tables.setting(row, "continuum.closure", "jenkins_richman") == closure]
+        for frequency in sorted({row["value"] for row in rows}):
+            best = strongest([row for row in rows if row["value"] == frequency])
+            if best:
+                point(label, frequency, best["waves_x"], -best["multiplier"], marker, colour, best["multiplier"] < -1, shift)
+                factors.append((frequency, -best["multiplier"]))
+        if factors:
+            lower.plot(*zip(*factors), marker + "-", color=colour, lw=0.8, mfc="white")
+        upper.plot([], [], marker, color=colour, mfc="white", label=f"{label} (open: it fades)")
     upper.plot([], [], "o", color=DENSITY, label="MD")
-    upper.plot([], [], "^", color=TEMPERATURE, mfc="white", label="continuum (open: it fades)")
     upper.axvline(fit["highest"], color="0.6", lw=0.8, ls=":")
     upper.set_ylabel(r"$\lambda/H$")
     upper.set_ylim(0, 22)
     upper.legend(loc="upper right")
-    if factors:
-        lower.plot(*zip(*factors), "^-", color=TEMPERATURE, lw=0.8, mfc="white")
-    else:
-        lower.text(0.5, 0.5, "no rows yet", transform=lower.transAxes, ha="center", fontsize=8)
     lower.axhline(1.0, color="0.5", lw=0.8)
     lower.set_xlabel(r"$f^* = f\sqrt{H/g}$")
     lower.set_ylabel("growth a cycle")

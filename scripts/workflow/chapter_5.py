@@ -4,6 +4,8 @@
 Rows are kept under data/expected and made only where one is lacking; ROWS=kept in the environment makes none. Runs, in the words of
 workflow/Snakefile, go to OUT/runs and are made again in every new OUT.
 """
+import dataclasses
+
 import patterns_study
 from rows import Row
 
@@ -41,6 +43,7 @@ CHOICES = {
 }
 # The row of dx = 1 is the scene's own spacing, and its command does not name it.
 GRIDS = {"dx 2": ("continuum.spacing_horizontal=2",), "dx 1": ()}
+FINER = ("continuum.spacing_horizontal=0.5",)   # where columns 2 and 1 wide differ most
 ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 # Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
@@ -53,7 +56,8 @@ def growth_rows():
         return OF_FLUID if choice[:len(FLUID)] == FLUID else OF_FTCS if "continuum.scheme=ftcs" in choice else ACCELERATIONS
 
     return [Row("continuum", STRIP, "plate.acceleration", gamma, choice + grid)
-            for grid in GRIDS.values() for choice in CHOICES.values() for gamma in accelerations(choice)]
+            for grid in GRIDS.values() for choice in CHOICES.values() for gamma in accelerations(choice)] + [
+        Row("continuum", STRIP, "plate.acceleration", gamma, CHOICES["garzo_dufty"] + FINER) for gamma in ("2.6", "3.0")]
 
 
 def dispersion_rows(engine):
@@ -64,7 +68,8 @@ def growth_by_wave_rows():
     """Short runs from noise in which every wave of the strip grows or fades on its own."""
     short = ("sample.settle=8", "sample.average=8")
     near = ("continuum.lid=25",)  # enough where the plate does not throw the layer high
-    return [Row("continuum", DISPERSION, "plate.frequency_star", f, short + (near if float(f) >= 0.25 else ()), waves=14) for f in FREQUENCIES]
+    default = [Row("continuum", DISPERSION, "plate.frequency_star", f, short + (near if float(f) >= 0.25 else ()), waves=14) for f in FREQUENCIES]
+    return default + [dataclasses.replace(row, overrides=row.overrides + FLUID[:1]) for row in default if float(row.value) >= 0.25]
 
 
 def runs():
@@ -88,7 +93,7 @@ def runs():
            for gamma in STRIPS},
         **{f"md_square_{gamma}": run("md", STRIPES, [f"plate.acceleration={gamma}", "sample.phases=20", "sample.settle=100", "sample.average=2", "sample.frames=20",
                                                      "sample.frame_cycles=2", "sample.map_bin=0"]) for gamma in SQUARES},
-        "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=100", *of_md]),
+        "md_stripes": run("md", STRIPES, [f"plate.acceleration={PUBLISHED}", "sample.settle=300", *of_md]),
         "continuum_stripes": run("continuum", STRIPES, [f"plate.acceleration={WAVING}", *waves_of_21, "continuum.spacing_horizontal=1.0"]),
         "continuum_fluid": run("continuum", STRIPES, [f"plate.acceleration={PUBLISHED}", *waves_of_21, "continuum.spacing_horizontal=2.0",
                                                       "continuum.closure=jenkins_richman_fluid"]),
