@@ -35,7 +35,7 @@ void for_each_cell(const continuum::Solver& solver, Visit visit) {
 ContinuumRun::ContinuumRun(const scene::Scene& scene)
     : scene_(scene), solver_(scene), sampler_(scene), series_(columns), next_(solver_.phase()) {}
 
-void ContinuumRun::advance_and_sample() {
+bool ContinuumRun::advance_and_sample(const AskedToStop&) {
     const Instant now = instant_of(next_, scene_);
     solver_.advance_to_phase(now.cycle, now.phase);
     sampler_.sample(solver_, now.cycle, now.phase);
@@ -52,6 +52,7 @@ void ContinuumRun::advance_and_sample() {
                            l.dual_energy_gain, l.plate_impulse, l.lid_impulse, static_cast<double>(solver_.steps())});
     if (is_frame(now, scene_)) frames_.push_back(frame());
     ++next_;
+    return true;
 }
 
 ContinuumFrame ContinuumRun::frame() const {

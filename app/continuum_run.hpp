@@ -30,7 +30,7 @@ class ContinuumRun {
     std::int64_t phases() const { return scene_.sample.phases; }
     double work() const { return static_cast<double>(solver_.steps()); }
     std::string work_unit() const { return "steps/s"; }
-    void advance_and_sample();
+    bool advance_and_sample(const AskedToStop& asked_to_stop);
 
     void save(files::CheckpointWriter& out, const Spent& spent) const;
     void restore(const files::CheckpointReader& in);

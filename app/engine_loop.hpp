@@ -5,7 +5,9 @@
 
 #include <chrono>
 #include <cmath>
+#include <cstdint>
 #include <ctime>
+#include <functional>
 #include <string>
 
 #include "app/options.hpp"
@@ -26,10 +28,17 @@ struct Spent {
 
 enum class Outcome { finished, stopped };
 
+/// Whether the user wants the run to end: a signal, or the limit of time.
+using AskedToStop = std::function<bool()>;
+
+/// An MD run looks for it so often between sample instants: some tenth of a second, which packed grains stretch.
+inline constexpr std::int64_t collisions_between_looks = 100'000;
+
 /// What the loop needs of an engine's run:
 ///   std::int64_t next_sample() const          number of the sample instant to come; phases of them a cycle
 ///   std::int64_t samples() const, phases() const
-///   void advance_and_sample()                 to that instant, measure there
+///   bool advance_and_sample(AskedToStop)      to that instant, measure there; false where it stopped short of it, from
+///                                             where it goes on when called again
 ///   double work() const; std::string work_unit() const; std::string name() const
 ///   void save(files::CheckpointWriter&, const Spent&) const
 template <class Run>
@@ -43,10 +52,10 @@ class EngineLoop {
         first_work_ = run_.work();
         checkpoint();
         while (run_.next_sample() < run_.samples()) {
-            run_.advance_and_sample();
+            const auto must_stop = [this] { return stop_requested() || elapsed() >= options_.max_walltime; };
+            const bool reached = run_.advance_and_sample(must_stop);
             report("running");
-            const bool late = elapsed() >= options_.max_walltime;
-            if (stop_requested() || late) {
+            if (!reached || must_stop()) {
                 checkpoint();
                 report("stopped", true);
                 return Outcome::stopped;

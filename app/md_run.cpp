@@ -52,9 +52,10 @@ MdRun::MdRun(const scene::Scene& scene)
       next_(std::llround(simulation_.time_in_cycle() / scene.motion.period() *
                          static_cast<double>(scene.sample.phases))) {}
 
-void MdRun::advance_and_sample() {
+bool MdRun::advance_and_sample(const AskedToStop& asked_to_stop) {
     const Instant now = instant_of(next_, scene_);
-    simulation_.advance_to(now.cycle, now.time_in_cycle(scene_));
+    while (!simulation_.advance_to(now.cycle, now.time_in_cycle(scene_), collisions_between_looks))
+        if (asked_to_stop()) return false;
     const md::Snapshot snapshot = simulation_.snapshot();
     sampler_.sample(snapshot, now.cycle, now.phase);
     const md::Ledger l = simulation_.ledger();
@@ -71,6 +72,7 @@ void MdRun::advance_and_sample() {
     ++next_;
     // To the end of the last cycle, so that a run ends in the same state however finely it is sampled.
     if (next_ == samples()) simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0);
+    return true;
 }
 
 void MdRun::save(files::CheckpointWriter& out, const Spent& spent) const {

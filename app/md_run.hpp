@@ -31,7 +31,7 @@ class MdRun {
     std::int64_t phases() const { return scene_.sample.phases; }
     double work() const { return static_cast<double>(simulation_.counters().pair_collisions); }
     std::string work_unit() const { return "collisions/s"; }
-    void advance_and_sample();
+    bool advance_and_sample(const AskedToStop& asked_to_stop);
 
     void save(files::CheckpointWriter& out, const Spent& spent) const;
     void restore(const files::CheckpointReader& in);

@@ -81,8 +81,9 @@ void UniformRun::follow(const md::Snapshot& snapshot) {
     last_ = snapshot.position;
 }
 
-void UniformRun::advance_and_sample() {
-    simulation_.advance_to(next_, 0.0);
+bool UniformRun::advance_and_sample(const AskedToStop& asked_to_stop) {
+    while (!simulation_.advance_to(next_, 0.0, collisions_between_looks))
+        if (asked_to_stop()) return false;
     const md::Snapshot snapshot = simulation_.snapshot();
     const auto count = static_cast<double>(snapshot.velocity.size());
     double second = 0.0, fourth = 0.0;
@@ -110,6 +111,7 @@ void UniformRun::advance_and_sample() {
     if (since > 0 && since * frames / scene_.sample.average > (since - 1) * frames / scene_.sample.average)
         frames_.push_back(snapshot);
     ++next_;
+    return true;
 }
 
 std::vector<Measured> UniformRun::results() const {

@@ -35,7 +35,7 @@ class UniformRun {
     std::int64_t phases() const { return 1; }
     double work() const { return static_cast<double>(simulation_.counters().pair_collisions); }
     std::string work_unit() const { return "collisions/s"; }
-    void advance_and_sample();
+    bool advance_and_sample(const AskedToStop& asked_to_stop);
 
     void save(files::CheckpointWriter& out, const Spent& spent) const;
     void restore(const files::CheckpointReader& in);

@@ -26,7 +26,7 @@ class EventLoop final : public Engine {
   public:
     EventLoop(const Setup& setup, const Law& law);
 
-    void advance_to(std::int64_t cycle, double time_in_cycle) override;
+    bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_pair_collisions) override;
     void advance_collisions(std::int64_t pair_collisions) override;
     ContactEvent advance_contact() override;
     std::int64_t cycle() const override { return cycle_; }

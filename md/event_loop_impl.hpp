@@ -141,16 +141,22 @@ void EventLoop<Law, Layered>::run(double until, std::int64_t last_pair_collision
 }
 
 template <class Law, bool Layered>
-void EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle) {
-    constexpr std::int64_t no_limit = std::numeric_limits<std::int64_t>::max();
+bool EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_pair_collisions) {
+    const std::int64_t last =
+        most_pair_collisions < std::numeric_limits<std::int64_t>::max() - counters_.pair_collisions
+            ? counters_.pair_collisions + most_pair_collisions
+            : std::numeric_limits<std::int64_t>::max();
     while (cycle_ < cycle || (cycle_ == cycle && epoch_end() < time_in_cycle && epoch_ + 1 < epochs_)) {
-        run(epoch_end(), no_limit);
+        run(epoch_end(), last);
+        if (counters_.pair_collisions >= last) return false;
         start_next_epoch();
     }
-    if (cycle_ > cycle || time_in_cycle <= now_) return;
+    if (cycle_ > cycle || time_in_cycle <= now_) return true;
     const double until = std::min(time_in_cycle, epoch_end());
-    run(until, no_limit);
+    run(until, last);
+    if (counters_.pair_collisions >= last) return false;
     now_ = until;
+    return true;
 }
 
 template <class Law, bool Layered>

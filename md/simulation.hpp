@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <memory>
 
 #include "files/checkpoint.hpp"
@@ -40,9 +41,11 @@ class Simulation {
     Simulation(Simulation&&) noexcept;
     Simulation& operator=(Simulation&&) noexcept;
 
-    /// Processes every event up to and including this instant. Does nothing when the instant is past already.
+    /// Processes every event up to and including this instant. Does nothing when the instant is past already. False
+    /// where it stopped short, after so many pair collisions; called again it goes on as if it had not.
     /// Throws Stalled on inelastic collapse, InvariantBroken when a promise fails.
-    void advance_to(std::int64_t cycle, double time_in_cycle);
+    bool advance_to(std::int64_t cycle, double time_in_cycle,
+                    std::int64_t most_pair_collisions = std::numeric_limits<std::int64_t>::max());
     /// Processes exactly this many pair collisions.
     void advance_collisions(std::int64_t pair_collisions);
     /// Goes on to just after the next contact, of a pair or with a wall, and says which.

@@ -67,7 +67,7 @@ TEST_CASE("the same seed gives the same bits, another seed another history") {
 }
 
 TEST_CASE("how often the run is interrupted and looked at does not change it") {
-    md::Simulation straight(small::layer()), halting(small::layer()), counted(small::layer());
+    md::Simulation straight(small::layer()), halting(small::layer()), counted(small::layer()), short_of(small::layer());
     const double period = straight.plate_period();
     straight.advance_to(4, 0.25 * period);
     for (int cycle = 0; cycle < 5; ++cycle)
@@ -83,8 +83,15 @@ TEST_CASE("how often the run is interrupted and looked at does not change it") {
     halting.advance_to(4, 0.25 * period);
     while (counted.cycle() < 4) counted.advance_contact();
     counted.advance_to(4, 0.25 * period);
+    int halts = 0;
+    while (!short_of.advance_to(4, 0.25 * period, 7)) {
+        ++halts;
+        CHECK(short_of.counters().pair_collisions == 7 * halts);
+    }
+    CHECK(halts > 100);
     CHECK(straight.state_hash() == halting.state_hash());
     CHECK(straight.state_hash() == counted.state_hash());
+    CHECK(straight.state_hash() == short_of.state_hash());
     straight.advance_to(2, 0.0);  // past already: nothing happens
     CHECK(straight.state_hash() == halting.state_hash());
 }
