@@ -32,7 +32,7 @@ def continuum_against_gamma(closure):
 
 
 def draw(study):
-    strip = [row for row in tables.rows("ch6_fluctuations_md.csv") if f" {STRIP}" in row["command"] and row["alternating"] > tables.SEEN * row["alternating_error"]]
+    strip = tables.fluctuations(STRIP)
     figure, (powers, factors, onset) = plt.subplots(3, 1, figsize=(6.4, 9.2), height_ratios=(1, 1, 1.3))
     columns = {name: [] for name in ("of", "Gamma", "wavelength/sigma", "mean square/sigma^2", "error", "factor a cycle", "its error")}
 

@@ -12,6 +12,7 @@ PUT_IN = "0.01"      # of the density, the scene's
 WAVELENGTH = 21.0
 GROWN = 8            # cycles of these runs over which growth is measured
 ALTERNATING = 0.4
+FACTORS = 0.21, 1.049   # within the ends of the fit (compare/patterns/fluctuations.hpp): a factor at an end says nothing
 SEEN = 2.0           # standard errors by which an alternating part must differ from nought for its factor to say something
 DATA = Path(__file__).resolve().parents[2] / "data"
 
@@ -58,9 +59,14 @@ def references(chapter):
 
 
 def small_waves(wavelength, scene="data/scenes/ch6_onset.toml"):
-    """Rows of the MD's fluctuations in a cell, of one wavelength whose alternating part differs from nought by SEEN errors, by Gamma."""
-    return sorted((row for row in rows("ch6_fluctuations_md.csv") if f" {scene}" in row["command"] and abs(row["wavelength"] / wavelength - 1) < 1e-3
-                   and row["alternating"] > SEEN * row["alternating_error"]), key=lambda row: row["value"])
+    """Rows of the MD's fluctuations in a cell, of one wavelength, by Gamma."""
+    return sorted((row for row in fluctuations(scene) if abs(row["wavelength"] / wavelength - 1) < 1e-3), key=lambda row: row["value"])
+
+
+def fluctuations(scene):
+    """Rows of the MD's fluctuations in runs of a scene, of waves whose alternating part differs from nought by SEEN errors and has a factor inside the fit's ends."""
+    return [row for row in rows("ch6_fluctuations_md.csv") if f" {scene}" in row["command"] and row["alternating"] > SEEN * row["alternating_error"]
+            and FACTORS[0] < row["alternating_factor"] < FACTORS[1]]
 
 
 def growth_rows():
