@@ -24,8 +24,7 @@ MODEL = "data/expected/ch6_swift_hohenberg.csv"
 SCATTER = "data/expected/ch6_fit_scatter.csv"
 
 ACCELERATIONS = ("1.7", "1.8", "1.9", "1.95", "2.0", "2.05", "2.1", "2.15", "2.2", "2.25", "2.3")
-SLOW_ACCELERATIONS = ("1.7", "1.75", "1.8", "1.82", "1.85", "1.87", "1.9", "2.0", "2.2")
-LONGER = ("1.85", "1.87")   # beside the onset at f* = 0.25
+SLOW_ACCELERATIONS = ("1.7", "1.75", "1.8", "1.82", "1.85", "1.87", "1.88", "1.89", "1.9", "2.0", "2.2")
 STRIP_ACCELERATIONS = ("1.95", "2.05", "2.1")   # below, rows of spheres lock across its ten diameters and a cycle takes minutes
 SECOND_SEED = ("1.9", "2.0", "2.1", "2.15", "2.2")
 CONTINUUM_ACCELERATIONS = ("1.9", "2.2", "2.6", "3.0", "3.4", "3.6", "4.0")
@@ -49,9 +48,7 @@ def onset_down_rows():
 
 
 def onset_slow_rows():
-    longer = ("sample.settle=150", "sample.average=50")
-    return [Row("md", ONSET_SLOW, "plate.acceleration", gamma) for gamma in SLOW_ACCELERATIONS] + [
-        Row("md", ONSET_SLOW, "plate.acceleration", gamma, longer) for gamma in LONGER]
+    return [Row("md", ONSET_SLOW, "plate.acceleration", gamma) for gamma in SLOW_ACCELERATIONS]
 
 
 def fluctuation_rows():

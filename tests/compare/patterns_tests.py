@@ -122,6 +122,14 @@ class Rows(unittest.TestCase):
             # Waves in the strip. Half a wave is its quantisation, one is what seeds differ by (8, 7 and 8 at 0.4).
             self.assertLess(abs(found[f]["waves_x"] - wanted), 1.5, f)
 
+    def test_md_s_wave_of_21_fades_below_the_onset_and_the_long_wave_hardly(self):
+        factor = {wave: {row["value"]: row["alternating_factor"] for row in tables.small_waves(wave)} for wave in (21.0, 42.0)}
+        self.assertLess(factor[21.0][1.95], factor[21.0][2.05])   # 0.71 +- 0.07 and 0.865 +- 0.02
+        self.assertLess(factor[21.0][2.05], 0.95)
+        self.assertAlmostEqual(factor[21.0][2.25], 1, delta=0.01)  # full-grown; measured 0.9999 +- 0.002
+        for gamma in (1.95, 2.05):
+            self.assertGreater(factor[42.0][gamma], 0.95)  # 0.989 and 0.983, +- 0.005
+
     def test_order_of_md_sets_in_within_0_05_of_2_15(self):
         onset = tables.merged(tables.rows("ch6_onset_md.csv"))
         order = {row["value"]: row["order"] for row in onset}
