@@ -48,12 +48,14 @@ ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 # Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
 STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes
+FROZEN = 2.0   # with constant e and less transport than the default's the layer freezes up to here, and the run ends
 SQUARES = ("1.8", "2.0", "2.1", "2.15", "2.2", "2.3", "2.6")   # Gamma of the cells of 42 x 42 whose order is looked at
 
 
 def growth_rows():
     def accelerations(choice):
-        return OF_FLUID if choice[:len(FLUID)] == FLUID else OF_FTCS if "continuum.scheme=ftcs" in choice else ACCELERATIONS
+        planned = OF_FLUID if choice[:len(FLUID)] == FLUID else OF_FTCS if "continuum.scheme=ftcs" in choice else ACCELERATIONS
+        return [gamma for gamma in planned if CONSTANT[0] not in choice or choice[0] == GOLDSHTEIN[0] or float(gamma) > FROZEN]
 
     return [Row("continuum", STRIP, "plate.acceleration", gamma, choice + grid)
             for grid in GRIDS.values() for choice in CHOICES.values() for gamma in accelerations(choice)] + [

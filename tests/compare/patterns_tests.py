@@ -124,8 +124,8 @@ class Rows(unittest.TestCase):
 
     def test_md_s_wave_of_21_fades_below_the_onset_and_the_long_wave_hardly(self):
         factor = {wave: {row["value"]: row["alternating_factor"] for row in tables.small_waves(wave)} for wave in (21.0, 42.0)}
-        self.assertLess(factor[21.0][1.95], factor[21.0][2.05])   # 0.71 +- 0.07 and 0.865 +- 0.02
-        self.assertLess(factor[21.0][2.05], 0.95)
+        for gamma in (1.95, 2.0, 2.05, 2.1):
+            self.assertLess(factor[21.0][gamma], 0.95)  # 0.71 to 0.868, +- 0.06 to 0.014
         self.assertAlmostEqual(factor[21.0][2.25], 1, delta=0.01)  # full-grown; measured 0.9999 +- 0.002
         for gamma in (1.95, 2.05):
             self.assertGreater(factor[42.0][gamma], 0.95)  # 0.989 and 0.983, +- 0.005
