@@ -31,6 +31,7 @@ class ContinuumRun {
     double work() const { return static_cast<double>(solver_.steps()); }
     std::string work_unit() const { return "steps/s"; }
     bool advance_and_sample(const AskedToStop& asked_to_stop);
+    bool advance_to_end(const AskedToStop&) { return true; }
 
     void save(files::CheckpointWriter& out, const Spent& spent) const;
     void restore(const files::CheckpointReader& in);

@@ -39,6 +39,8 @@ inline constexpr std::int64_t collisions_between_looks = 100'000;
 ///   std::int64_t samples() const, phases() const
 ///   bool advance_and_sample(AskedToStop)      to that instant, measure there; false where it stopped short of it, from
 ///                                             where it goes on when called again
+///   bool advance_to_end(AskedToStop)          from the last sample instant to the end of the last cycle, so that a run
+///                                             ends in the same state however finely it is sampled; false as above
 ///   double work() const; std::string work_unit() const; std::string name() const
 ///   void save(files::CheckpointWriter&, const Spent&) const
 template <class Run>
@@ -51,17 +53,14 @@ class EngineLoop {
         first_sample_ = run_.next_sample();
         first_work_ = run_.work();
         checkpoint();
+        const auto must_stop = [this] { return stop_requested() || elapsed() >= options_.max_walltime; };
         while (run_.next_sample() < run_.samples()) {
-            const auto must_stop = [this] { return stop_requested() || elapsed() >= options_.max_walltime; };
             const bool reached = run_.advance_and_sample(must_stop);
             report("running");
-            if (!reached || must_stop()) {
-                checkpoint();
-                report("stopped", true);
-                return Outcome::stopped;
-            }
+            if (!reached || must_stop()) return stopped();
             if (take_checkpoint_request() || seconds_since(last_checkpoint_) >= options_.checkpoint_every) checkpoint();
         }
+        if (!run_.advance_to_end(must_stop)) return stopped();
         checkpoint();  // the end of one run may be the start of another
         return Outcome::finished;
     }
@@ -80,6 +79,12 @@ class EngineLoop {
         return std::chrono::duration<double>(Clock::now() - then).count();
     }
     double elapsed() const { return seconds_since(start_); }
+
+    Outcome stopped() {
+        checkpoint();
+        report("stopped", true);
+        return Outcome::stopped;
+    }
 
     void checkpoint() {
         files::CheckpointWriter out;

@@ -70,8 +70,12 @@ bool MdRun::advance_and_sample(const AskedToStop& asked_to_stop) {
                            n(c.ceiling_collisions)});
     if (is_frame(now, scene_)) frames_.push_back(snapshot);
     ++next_;
-    // To the end of the last cycle, so that a run ends in the same state however finely it is sampled.
-    if (next_ == samples()) simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0);
+    return true;
+}
+
+bool MdRun::advance_to_end(const AskedToStop& asked_to_stop) {
+    while (!simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0, collisions_between_looks))
+        if (asked_to_stop()) return false;
     return true;
 }
 

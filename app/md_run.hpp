@@ -32,6 +32,7 @@ class MdRun {
     double work() const { return static_cast<double>(simulation_.counters().pair_collisions); }
     std::string work_unit() const { return "collisions/s"; }
     bool advance_and_sample(const AskedToStop& asked_to_stop);
+    bool advance_to_end(const AskedToStop& asked_to_stop);
 
     void save(files::CheckpointWriter& out, const Spent& spent) const;
     void restore(const files::CheckpointReader& in);

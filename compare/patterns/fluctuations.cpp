@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <functional>
 #include <map>
 #include <numbers>
 #include <stdexcept>
@@ -14,7 +13,7 @@ namespace shaken::compare {
 
 namespace {
 
-constexpr std::size_t lags = 9, fewest_cycles = 40, most_blocks = 8;
+constexpr std::size_t looked_at = 9, fewest_cycles = 40, most_blocks = 8;
 constexpr double lowest_factor = 0.2, highest_factor = 1.05;  // what remembers less looks like the noise of a map
 
 /// Best parts for given factors, and the squares that they leave.
@@ -62,10 +61,10 @@ std::map<std::int64_t, std::vector<std::size_t>> by_wavelength(std::span<const P
 
 }  // namespace
 
-std::vector<double> autocovariance(std::span<const Amplitude> amplitudes, std::size_t count) {
-    if (amplitudes.size() <= count) throw std::invalid_argument("more lags than cycles");
-    std::vector<double> covariance(count);
-    for (std::size_t l = 0; l < count; ++l) {
+std::vector<double> autocovariance(std::span<const Amplitude> amplitudes, std::size_t lags) {
+    if (amplitudes.size() <= lags) throw std::invalid_argument("more lags than cycles");
+    std::vector<double> covariance(lags);
+    for (std::size_t l = 0; l < lags; ++l) {
         for (std::size_t c = 0; c + l < amplitudes.size(); ++c)
             covariance[l] += (amplitudes[c + l] * std::conj(amplitudes[c])).real();
         covariance[l] /= static_cast<double>(amplitudes.size() - l);
@@ -101,27 +100,33 @@ TwoDecays fit_two_decays(std::span<const double> covariance) {
     return best.decays;
 }
 
+MemoryError memory_error(double factor, double waves, double cycles) {
+    const double longest = 1.0 - 1.0 / cycles;  // a longer memory than the run is not told from that
+    const double square = std::pow(std::min(std::abs(factor), longest), 2), count = waves * cycles;
+    return {std::sqrt((1.0 + square) / ((1.0 - square) * count)), std::sqrt((1.0 - square) / count)};
+}
+
 std::vector<Fluctuation> fluctuations(std::span<const PlaneWave> waves,
                                       const std::vector<std::vector<Amplitude>>& amplitudes, std::size_t most) {
     std::vector<Fluctuation> found;
     if (amplitudes.size() < fewest_cycles) return found;
-    const std::size_t blocks = std::min(most_blocks, amplitudes.size() / (2 * lags));
+    const std::size_t blocks = std::min(most_blocks, amplitudes.size() / (2 * looked_at));
     const std::size_t length = amplitudes.size() / blocks;
     for (const auto& [wavenumber, members] : by_wavelength(waves)) {
         if (found.size() == most) break;
-        std::vector<std::vector<double>> of_block(blocks, std::vector<double>(lags));
+        std::vector<std::vector<double>> of_block(blocks, std::vector<double>(looked_at));
         for (std::size_t b = 0; b < blocks; ++b)
             for (const std::size_t w : members) {
                 std::vector<Amplitude> series;
                 for (std::size_t c = b * length; c < (b + 1) * length; ++c) series.push_back(amplitudes[c][w]);
-                const std::vector<double> covariance = autocovariance(series, lags);
-                for (std::size_t l = 0; l < lags; ++l) of_block[b][l] += waves[w].share * covariance[l];
+                const std::vector<double> covariance = autocovariance(series, looked_at);
+                for (std::size_t l = 0; l < looked_at; ++l) of_block[b][l] += waves[w].share * covariance[l];
             }
         const auto mean_without = [&](std::size_t left_out) {
-            std::vector<double> mean(lags);
+            std::vector<double> mean(looked_at);
             const auto count = static_cast<double>(blocks - (left_out < blocks ? 1 : 0));
             for (std::size_t b = 0; b < blocks; ++b)
-                for (std::size_t l = 0; l < lags && b != left_out; ++l) mean[l] += of_block[b][l] / count;
+                for (std::size_t l = 0; l < looked_at && b != left_out; ++l) mean[l] += of_block[b][l] / count;
             return mean;
         };
         const std::vector<double> whole = mean_without(blocks);
@@ -137,6 +142,13 @@ std::vector<Fluctuation> fluctuations(std::span<const PlaneWave> waves,
             std::vector<double> values;
             for (const TwoDecays& decays : without) values.push_back(decays.*part);
             wave.errors.*part = jackknife_error(values);
+        }
+        const auto members_of = static_cast<double>(members.size()), cycles = static_cast<double>(amplitudes.size());
+        for (const auto& [size, factor] : {std::pair{&TwoDecays::persistent, &TwoDecays::persistent_factor},
+                                           std::pair{&TwoDecays::alternating, &TwoDecays::alternating_factor}}) {
+            const MemoryError memory = memory_error(wave.decays.*factor, members_of, cycles);
+            wave.errors.*size = std::max(wave.errors.*size, memory.relative * wave.decays.*size);
+            wave.errors.*factor = std::max(wave.errors.*factor, memory.factor);
         }
         found.push_back(wave);
     }

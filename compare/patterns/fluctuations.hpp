@@ -27,7 +27,17 @@ std::vector<double> autocovariance(std::span<const Amplitude> amplitudes, std::s
 /// from 0.2 to 1.05. A part that is zero has a factor that says nothing.
 TwoDecays fit_two_decays(std::span<const double> covariance);
 
-/// All waves of one wavelength. Powers are shares of <psi^2> in sigma^2, errors by leaving blocks of cycles out.
+/// Standard error of a mean square <|a|^2> and of a factor f, for `waves` independent waves seen over so many cycles,
+/// if each is kicked at random and fades by f: relative sqrt((1 + f^2)/((1 - f^2) N)), and sqrt((1 - f^2)/N), N = waves
+/// times cycles (Bartlett 1946). Blocks of cycles cannot tell them where a wave remembers itself for longer than a
+/// block.
+struct MemoryError {
+    double relative = 0.0, factor = 0.0;
+};
+MemoryError memory_error(double factor, double waves, double cycles);
+
+/// All waves of one wavelength. Powers are shares of <psi^2> in sigma^2. Errors: what leaving blocks of cycles out says
+/// or memory_error, whichever is more.
 struct Fluctuation {
     double wavelength = 0.0;  // sigma
     std::int64_t waves = 0;   // so many wavevectors, each and its opposite counted once

@@ -16,7 +16,6 @@ CAPTION = (
     "its error. (b) Growth of that wave from cycle to cycle over these cycles."
 )
 LENGTH, DEPTH = 168.0, 5.4
-LEFT = 1e-5             # sigma, of waves that began with some 1e-2
 ALTERNATES = 0.2        # share of the power, less what noise leaves there, that alternates from cycle to cycle in a pattern
 
 
@@ -25,8 +24,8 @@ CONTINUA = (("continuum", "jenkins_richman", "^", TEMPERATURE, 0.004), ("a fluid
 
 
 def strongest(rows):
-    """The alternating wave of the greatest power at one frequency, as the source takes it; None where none is left that alternates."""
-    return max((row for row in rows if row["multiplier"] < 0 and row["root_mean_square"] > LEFT), key=lambda row: row["root_mean_square"], default=None)
+    """The wave of the greatest power, as the source takes it; None of no wave."""
+    return max(rows, key=lambda row: row["root_mean_square"], default=None)
 
 
 def bars(waves):
@@ -37,7 +36,6 @@ def bars(waves):
 
 def draw(study):
     md = sorted(tables.rows("ch5_dispersion_md.csv"), key=lambda row: row["value"])
-    waves = tables.rows("ch5_dispersion_continuum.csv")
     fit = tables.references(5)["dispersion"]
     figure, (upper, lower) = plt.subplots(2, 1, figsize=(5.8, 6.8), sharex=True, height_ratios=(2.2, 1))
     f = np.linspace(0.13, 0.52, 200)
@@ -56,9 +54,8 @@ def draw(study):
             point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent_share"] > ALTERNATES, 0)
     for label, closure, marker, colour, shift in CONTINUA:
         factors = []
-        rows = [row for row in waves if tables.setting(row, "continuum.closure", "jenkins_richman") == closure]
-        for frequency in sorted({row["value"] for row in rows}):
-            best = strongest([row for row in rows if row["value"] == frequency])
+        for frequency in sorted({row["value"] for row in tables.rows("ch5_dispersion_continuum.csv")}):
+            best = strongest(tables.waves_of_strip(frequency, closure))
             if best:
                 point(label, frequency, best["waves_x"], -best["multiplier"], marker, colour, best["multiplier"] < -1, shift)
                 factors.append((frequency, -best["multiplier"]))

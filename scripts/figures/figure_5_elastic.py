@@ -23,11 +23,12 @@ def draw(study):
     columns = {name: [] for name in ("Gamma", "wave", "wavelength/sigma", "factor a cycle", "error", "turned most/sigma", "its error")}
     for axis, gamma, letter in zip(axes, ("2.0", "2.6"), "ab"):
         wavelengths, amplitudes = momentum.along_strip(study.folder / f"runs/md_strip_{gamma}/md.h5", REFERENCE, COUNT)
-        factors, errors = momentum.without_blocks(amplitudes, BLOCKS, momentum.factor_a_cycle)
+        pairs = momentum.pairs(amplitudes)
+        factors, errors = momentum.without_blocks(pairs, BLOCKS, momentum.factor_a_cycle)
         for kind, (label, marker, colour) in enumerate(KINDS):
             most, most_error = np.nan, np.nan
             if gamma == "2.0":
-                most, most_error = momentum.without_blocks(amplitudes[:, kind], BLOCKS, lambda some: momentum.turned_most(wavelengths, momentum.factor_a_cycle(some)))
+                most, most_error = momentum.without_blocks(pairs[:, :, kind], BLOCKS, lambda some: momentum.turned_most(wavelengths, momentum.factor_a_cycle(some)))
                 axis.axvline(most, color=colour, lw=0.9, ls="--")
                 label += rf": {most:.1f} $\pm$ {most_error:.1f}"
             points(axis, wavelengths, factors[kind], y_error=errors[kind], marker=marker, ms=5, color=colour, mfc="white", linestyle="-", lw=0.8, label=label)

@@ -11,8 +11,8 @@ from style import DENSITY, LENGTH, PLATE, TEMPERATURE, plt, save
 
 NAME = "figure_5_sloshing"
 CAPTION = (
-    "Two cycles of stripes, f* = 0.4174. (a) Where the layer is: its lowest and highest thousandth of mass, and the plate. (b) Share of the mass below the hottest height: the shock passes from the plate through the layer. "
-    "(c) Sloshing: amplitude of the horizontal velocity of the layer, positive away from the peaks of ft = 0. (d) Amplitude of the wave of z_cm. The velocity turns round while the shock passes; the wave, half a cycle later."
+    "Two cycles of stripes, f* = 0.4174. (a) Where the layer is: its lowest and highest thousandth of mass, and the plate. (b) Share of the mass below the hottest height of its lowest 95 per cent: the shock passes from the plate through the layer. "
+    "(c) Sloshing: amplitude of the horizontal velocity of the layer, positive away from the peaks of ft = 0. (d) Amplitude of the wave of z_cm. The velocity turns round while the shock passes; the wave, 0.3 to 0.4 of a cycle later."
 )
 RUNS = (("MD", "md_stripes", "md", DENSITY), ("continuum", "continuum_stripes", "continuum", TEMPERATURE), ("a fluid's transport", "continuum_fluid", "continuum", LENGTH))
 

@@ -21,7 +21,7 @@ RESONANT = 42.0      # sigma
 
 def continuum_by_wave():
     """Wavelengths in the strip and factors of the waves that alternate at f* = 0.4174."""
-    rows = [row for row in tables.rows("ch5_dispersion_continuum.csv") if row["value"] == 0.4174 and row["multiplier"] < 0 and not tables.setting(row, "continuum.closure")]
+    rows = tables.waves_of_strip(0.4174, "jenkins_richman")
     return np.array([168.0 / row["waves_x"] for row in rows]), np.array([-row["multiplier"] for row in rows])
 
 

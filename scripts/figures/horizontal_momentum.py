@@ -45,9 +45,15 @@ def along_strip(path, reference, count):
     return length / np.arange(1, count + 1), np.array(found)
 
 
-def factor_a_cycle(amplitudes):
-    """Part of each amplitude (cycles, ...) that is left after a cycle, least squares: negative where the wave is turned round."""
-    return (amplitudes[1:] * amplitudes[:-1].conj()).real.sum(axis=0) / (np.abs(amplitudes[:-1]) ** 2).sum(axis=0)
+def pairs(amplitudes):
+    """What an amplitude (cycles, ...) has in common with itself a cycle later, and its square: (cycles - 1, 2, ...)."""
+    return np.stack([(amplitudes[1:] * amplitudes[:-1].conj()).real, np.abs(amplitudes[:-1]) ** 2], axis=1)
+
+
+def factor_a_cycle(some):
+    """Part of each amplitude that is left after a cycle, least squares over some of its pairs: negative where the wave is turned round."""
+    common, square = some.sum(axis=0)
+    return common / square
 
 
 def turned_most(wavelengths, factors):

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """The motion of stripes in numbers, from the slices of one engine over two cycles: the wave of the height, the sloshing that carries it, where the heat of the landing is.
 
-Amplitudes are of cos k(x - x0) for the height and the pressure, of sin k(x - x0) for the velocity, x0 the place of a peak at ft = 0: positive sloshing runs away from that peak.
+Amplitudes are of cos k(x - x0) for the height, of sin k(x - x0) for the velocity, x0 the place of a peak at ft = 0: positive sloshing runs away from that peak.
 """
 import numpy as np
 
@@ -16,6 +16,7 @@ def motion(stripes, ft):
     piece = stripes.at(ft, top=60.0)
     x, z = ((edges[1:] + edges[:-1]) / 2 for edges in (piece.x, piece.z))
     nu, u, temperature = (np.nan_to_num(piece.fields[name]) for name in ("nu", "u_x", "T"))
+    told = np.where(np.isfinite(piece.fields["u_x"]), nu, 0)   # where a velocity is known
     angle = 2 * np.pi * (x - stripes.wavelength / 2) / stripes.wavelength
     thick = max(1, round(BIN_Z / (z[1] - z[0])))
     column, row = nu.sum(axis=0), nu.sum(axis=1)
@@ -23,7 +24,7 @@ def motion(stripes, ft):
     below = np.cumsum(row) / row.sum()
     foot, crest, top = stripes.heights(ft, (FOOT, CREST, 1.0)) - piece.plate
     hot = np.where(below < LAYER, (nu * temperature).sum(axis=1) / np.maximum(row, 1e-300), 0)
-    return {"height wave": 2 * float(np.mean(height * np.cos(angle))), "sloshing": 2 * float((nu * u * np.sin(angle)).sum() / nu.sum()),
+    return {"height wave": 2 * float(np.mean(height * np.cos(angle))), "sloshing": 2 * float((told * u * np.sin(angle)).sum() / told.sum()),
             "densest": float(np.convolve(nu.mean(axis=1), np.full(thick, 1 / thick), "valid").max()), "mass below the hottest": float(below[np.argmax(hot)]), "foot": float(foot), "crest": float(crest), "top": float(top)}
 
 

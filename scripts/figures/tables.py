@@ -7,6 +7,7 @@ from pathlib import Path
 
 import numpy as np
 
+LEFT = 1e-5          # sigma, of waves that began with some 1e-2
 SMALLEST = 1e-3      # sigma, over the wave of the density that was put in: what is smaller after eight cycles has nothing left of it
 PUT_IN = "0.01"      # of the density, the scene's
 WAVELENGTH = 21.0
@@ -26,6 +27,12 @@ def rows(name):
         return [{key: number(cell) for key, cell in row.items()} for row in csv.DictReader(table)]
 
 
+def waves_of_strip(frequency, closure):
+    """Waves of the continuum's strip of ch5_dispersion_continuum.csv at one frequency that alternate and of which more than LEFT is left."""
+    return [row for row in rows("ch5_dispersion_continuum.csv") if row["value"] == frequency and setting(row, "continuum.closure", "jenkins_richman") == closure
+            and row["multiplier"] < 0 and row["root_mean_square"] > LEFT]
+
+
 def number(cell):
     try:
         return float(cell)
@@ -34,12 +41,14 @@ def number(cell):
 
 
 def merged(table, columns=("mean_square", "relative_mean_square", "order"), errors=("mean_square_error", "order_error")):
-    """One row a value, ascending: means over the rows (seeds) of it, errors of those means."""
+    """One row a value, ascending: means over the rows (seeds) of it, errors of those means: from the rows' own or from their scatter, whichever is more."""
     found = []
     for value in sorted({row["value"] for row in table}):
         same = [row for row in table if row["value"] == value]
         row = {"value": value} | {name: float(np.mean([r[name] for r in same])) for name in columns}
-        found.append(row | {name: float(np.sqrt(np.sum(np.square([r[name] for r in same]))) / len(same)) for name in errors})
+        own = {name: float(np.sqrt(np.sum(np.square([r[name] for r in same]))) / len(same)) for name in errors}
+        scatter = {name: float(np.std([r[name.removesuffix("_error")] for r in same], ddof=1) / np.sqrt(len(same))) if len(same) > 1 else 0.0 for name in errors}
+        found.append(row | {name: max(own[name], scatter[name]) for name in errors})
     return found
 
 

@@ -52,7 +52,7 @@ def onset_slow_rows():
 
 
 def fluctuation_rows():
-    """The waves of layers below onset: of the strip, where every whole number of waves is seen, and of the cell of figure 6.2."""
+    """Waves of the strip below onset, where every whole number of them is seen; of the cell of figure 6.2, the last run of each acceleration; and of figure 6.5's below its onset."""
     long = ("sample.settle=100", "sample.average=200")
     strip = [Row("md", DISPERSION, "plate.acceleration", gamma, long) for gamma in STRIP_ACCELERATIONS]
     last_of = {row.value: row for row in onset_rows()}   # one run of each acceleration

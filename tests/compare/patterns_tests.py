@@ -126,9 +126,8 @@ class Rows(unittest.TestCase):
         factor = {wave: {row["value"]: row["alternating_factor"] for row in tables.small_waves(wave)} for wave in (21.0, 42.0)}
         for gamma in (1.95, 2.0, 2.05, 2.1):
             self.assertLess(factor[21.0][gamma], 0.95)  # 0.71 to 0.868, +- 0.06 to 0.014
-        self.assertAlmostEqual(factor[21.0][2.25], 1, delta=0.01)  # full-grown; measured 0.9999 +- 0.002
         for gamma in (1.95, 2.05):
-            self.assertGreater(factor[42.0][gamma], 0.95)  # 0.989 and 0.983, +- 0.005
+            self.assertGreater(factor[42.0][gamma], 0.95)  # 0.989 and 0.983, +- 0.007
 
     def test_order_of_md_sets_in_within_0_05_of_2_15(self):
         onset = tables.merged(tables.rows("ch6_onset_md.csv"))
@@ -169,7 +168,7 @@ class Momentum(unittest.TestCase):
 
     def test_a_wave_that_is_turned_round_has_a_negative_factor_and_the_wavelength_of_the_most_is_found(self):
         series = np.outer((-0.8) ** np.arange(12), [1.0, 2.0 - 1.0j])
-        np.testing.assert_allclose(horizontal_momentum.factor_a_cycle(series), -0.8, rtol=1e-12)  # round-off
+        np.testing.assert_allclose(horizontal_momentum.factor_a_cycle(horizontal_momentum.pairs(series)), -0.8, rtol=1e-12)  # round-off
         wavelengths = 168.0 / np.arange(1, 17)
         parabola = 3 * np.log(wavelengths / 40.0) ** 2 - 0.9
         self.assertAlmostEqual(horizontal_momentum.turned_most(wavelengths, parabola), 40.0, delta=1e-6)  # round-off of a fit through three points
