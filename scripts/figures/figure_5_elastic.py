@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Horizontal waves of momentum in MD's layer from one cycle to the next: a sheet that is elastic when it lands turns them round, at lengths in the ratio of its two speeds of sound."""
+"""Horizontal waves of momentum in MD's layer from one cycle to the next: a sheet that is elastic when it lands turns transverse ones round, which a fluid can only lose."""
 import sys
 
 import numpy as np
@@ -10,9 +10,9 @@ from style import DENSITY, TEMPERATURE, plt, points, save
 
 NAME = "figure_5_elastic"
 CAPTION = (
-    "Part of a wave of horizontal momentum that is left after one cycle, against its wavelength, at ft = 0.25 in the strip of 168 x 10, f* = 0.4174, MD: v_x (longitudinal) and v_y (transverse) along x. A fluid can only lose a transverse wave (0 to 1). "
-    "(a) The flat layer at Gamma = 2.0: both waves are turned round each cycle; upright lines: where most, by a parabola through three points. In a triangular lattice of central forces the longitudinal sound is faster by sqrt(3). (b) Gamma = 2.6, where "
-    "stripes have melted it. Grey: a transverse wave under the viscosity of the continuum's closure in its flat layer at 2.0. Bars: one standard error from five blocks of cycles."
+    "Part of a wave of horizontal momentum that is left after one cycle, against its wavelength, at ft = 0.25 in a strip of 168 x 10.5, f* = 0.4174, MD: v_x (longitudinal) and v_y (transverse) along x. A fluid can only lose a transverse wave (0 to 1). "
+    "(a) The flat layer at Gamma = 2.0: transverse waves too are turned round each cycle, if shorter than the upright line. In a triangular lattice of central forces the longitudinal sound is faster by sqrt(3). (b) Gamma = 2.6, "
+    "with stripes. Grey: a transverse wave under the viscosity of the continuum's closure in its flat layer at 2.0. Bars: one standard error from five blocks of cycles."
 )
 REFERENCE, COUNT, BLOCKS = 0.25, 16, 5
 KINDS = (("longitudinal, $v_x$", "s", DENSITY), ("transverse, $v_y$", "o", TEMPERATURE))
@@ -20,19 +20,19 @@ KINDS = (("longitudinal, $v_x$", "s", DENSITY), ("transverse, $v_y$", "o", TEMPE
 
 def draw(study):
     figure, axes = plt.subplots(2, 1, figsize=(6.2, 7.0), sharex=True, sharey=True)
-    columns = {name: [] for name in ("Gamma", "wave", "wavelength/sigma", "factor a cycle", "error", "turned most/sigma", "its error")}
+    columns = {name: [] for name in ("Gamma", "wave", "wavelength/sigma", "factor a cycle", "error", "turned below/sigma", "its error")}
     for axis, gamma, letter in zip(axes, ("2.0", "2.6"), "ab"):
         wavelengths, amplitudes = momentum.along_strip(study.folder / f"runs/md_strip_{gamma}/md.h5", REFERENCE, COUNT)
         pairs = momentum.pairs(amplitudes)
         factors, errors = momentum.without_blocks(pairs, BLOCKS, momentum.factor_a_cycle)
         for kind, (label, marker, colour) in enumerate(KINDS):
-            most, most_error = np.nan, np.nan
+            below, below_error = np.nan, np.nan
             if gamma == "2.0":
-                most, most_error = momentum.without_blocks(pairs[:, :, kind], BLOCKS, lambda some: momentum.turned_most(wavelengths, momentum.factor_a_cycle(some)))
-                axis.axvline(most, color=colour, lw=0.9, ls="--")
-                label += rf": {most:.1f} $\pm$ {most_error:.1f}"
+                below, below_error = momentum.without_blocks(pairs[:, :, kind], BLOCKS, lambda some: momentum.turned_below(wavelengths, momentum.factor_a_cycle(some)))
+                axis.axvline(below, color=colour, lw=0.9, ls="--")
+                label += rf", turned below {below:.0f} $\pm$ {below_error:.0f}"
             points(axis, wavelengths, factors[kind], y_error=errors[kind], marker=marker, ms=5, color=colour, mfc="white", linestyle="-", lw=0.8, label=label)
-            for name, values in zip(columns, ([gamma] * COUNT, [KINDS[kind][0].split(",")[0]] * COUNT, wavelengths, factors[kind], errors[kind], [most] * COUNT, [most_error] * COUNT)):
+            for name, values in zip(columns, ([gamma] * COUNT, [KINDS[kind][0].split(",")[0]] * COUNT, wavelengths, factors[kind], errors[kind], [below] * COUNT, [below_error] * COUNT)):
                 columns[name].extend(values)
         axis.plot(wavelengths, viscous(study, wavelengths), color="0.6", lw=1.0, label="transverse, a fluid's viscosity")
         axis.axhline(0, color="0.5", lw=0.8)

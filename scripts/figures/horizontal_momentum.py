@@ -56,12 +56,12 @@ def factor_a_cycle(some):
     return common / square
 
 
-def turned_most(wavelengths, factors):
-    """Wavelength of the most negative factor: of a parabola in the logarithm of the wavelength through it and its neighbours."""
-    lowest = int(np.clip(np.argmin(factors), 1, len(factors) - 2))
-    near = slice(lowest - 1, lowest + 2)
-    curve = np.polyfit(np.log(wavelengths[near]), factors[near], 2)
-    return float(np.exp(-curve[1] / (2 * curve[0])))
+def turned_below(wavelengths, factors):
+    """The longest wavelength at which a factor passes zero, linear in the logarithm of the wavelength; NaN where it does not. wavelengths descend."""
+    for i in range(1, len(factors)):
+        if factors[i] < 0 <= factors[i - 1]:
+            return float(wavelengths[i] * (wavelengths[i - 1] / wavelengths[i]) ** (factors[i] / (factors[i] - factors[i - 1])))
+    return np.nan
 
 
 def without_blocks(values, blocks, measure):

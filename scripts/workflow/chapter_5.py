@@ -47,7 +47,7 @@ FINER = ("continuum.spacing_horizontal=0.5",)   # where columns 2 and 1 wide dif
 ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 # Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
-STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes
+STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes; no whole number of diameters wide
 FROZEN = 2.0   # with constant e and less transport than the default's the layer freezes up to here, and the run ends
 SQUARES = ("1.8", "2.0", "2.1", "2.15", "2.2", "2.3", "2.6")   # Gamma of the cells of 42 x 42 whose order is looked at
 
@@ -93,7 +93,8 @@ def runs():
         "md_flat": run("md", STRIPES, [*flat, "sample.phases=20", "sample.settle=40", "sample.average=100", "sample.frames=20", "sample.frame_cycles=100"]),
         "continuum_flat": run("continuum", STRIPES, [*flat, "sample.phases=40", "sample.settle=20", "sample.average=2", "sample.frames=40", "continuum.dimension=1",
                                                      "continuum.spacing=0.1", "continuum.lid=25", "initial.noise=0"]),
-        **{f"md_strip_{gamma}": run("md", DISPERSION, [f"plate.acceleration={gamma}", "sample.settle=100", "sample.average=100", "sample.frames=4", "sample.frame_cycles=100"])
+        **{f"md_strip_{gamma}": run("md", DISPERSION, [f"plate.acceleration={gamma}", "box.y=10.5", "particles.number=10584", "sample.settle=100", "sample.average=100", "sample.frames=4",
+                                                 "sample.frame_cycles=100"])
            for gamma in STRIPS},
         **{f"md_square_{gamma}": run("md", STRIPES, [f"plate.acceleration={gamma}", "sample.phases=20", "sample.settle=100", "sample.average=2", "sample.frames=20",
                                                      "sample.frame_cycles=2", "sample.map_bin=0"]) for gamma in SQUARES},

@@ -166,12 +166,12 @@ class Momentum(unittest.TestCase):
         left = horizontal_momentum.survival(amplitudes, phases, 1)
         np.testing.assert_allclose(left[:5], [1, 0.5, -1.5, -4, -2], rtol=1e-12)  # round-off: one wave, no noise
 
-    def test_a_wave_that_is_turned_round_has_a_negative_factor_and_the_wavelength_of_the_most_is_found(self):
+    def test_a_wave_that_is_turned_round_has_a_negative_factor_and_the_length_below_which_it_is_is_found(self):
         series = np.outer((-0.8) ** np.arange(12), [1.0, 2.0 - 1.0j])
         np.testing.assert_allclose(horizontal_momentum.factor_a_cycle(horizontal_momentum.pairs(series)), -0.8, rtol=1e-12)  # round-off
         wavelengths = 168.0 / np.arange(1, 17)
-        parabola = 3 * np.log(wavelengths / 40.0) ** 2 - 0.9
-        self.assertAlmostEqual(horizontal_momentum.turned_most(wavelengths, parabola), 40.0, delta=1e-6)  # round-off of a fit through three points
+        self.assertAlmostEqual(horizontal_momentum.turned_below(wavelengths, np.log(wavelengths / 60.0)), 60.0, delta=1e-9)  # round-off
+        self.assertTrue(np.isnan(horizontal_momentum.turned_below(wavelengths, np.ones(16))))
 
     def test_the_error_of_a_mean_by_leaving_blocks_out_is_its_standard_error(self):
         values = np.random.default_rng(2).normal(size=100)
