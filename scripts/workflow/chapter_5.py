@@ -46,6 +46,7 @@ GRIDS = {"dx 2": ("continuum.spacing_horizontal=2",), "dx 1": ()}
 FINER = ("continuum.spacing_horizontal=0.5",)   # where columns 2 and 1 wide differ most
 ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 # Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
+OF_FLUID_STRIP = ("0.25", "0.3", "0.35", "0.4174")   # frequencies; some ten minutes each
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
 STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes; no whole number of diameters wide
 FROZEN = 2.0   # with constant e and less transport than the default's the layer freezes up to here, and the run ends
@@ -73,7 +74,7 @@ def growth_by_wave_rows():
     short = ("sample.settle=8", "sample.average=8")
     near = ("continuum.lid=25",)  # enough where the plate does not throw the layer high
     default = [Row("continuum", DISPERSION, "plate.frequency_star", f, short + (near if float(f) >= 0.25 else ()), waves=14) for f in FREQUENCIES]
-    return default + [dataclasses.replace(row, overrides=row.overrides + FLUID[:1]) for row in default if float(row.value) >= 0.25]
+    return default + [dataclasses.replace(row, overrides=row.overrides + FLUID[:1]) for row in default if row.value in OF_FLUID_STRIP]
 
 
 def runs():
