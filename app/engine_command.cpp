@@ -80,7 +80,7 @@ int start(const std::string& engine, const EngineOptions& options) {
     const EngineFiles files{options.out, engine};
     // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
     Run run(scene);
-    if (!options.as_child) prepare_folder(files.folder, options.overwrite);
+    if (!options.as_child) prepare_folder(files.folder, options.overwrite, scene::print_scene(scene));
     const FolderLock lock(files.folder, engine);
     if (!options.as_child) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
     return finish(run, files, options, {}, "");

@@ -91,7 +91,7 @@ int run_both(const EngineOptions& options) {
         refuse_uniform(scene, "run");
         // The hydrodynamics check their names and sizes here, before the MD begins in vain.
         continuum::Solver{scene};
-        prepare_folder(folder, options.overwrite);
+        prepare_folder(folder, options.overwrite, scene::print_scene(scene));
         files::write_atomically(folder / "scene.toml", scene::print_scene(scene));
     } else {
         scene::read_scene(folder / "scene.toml");

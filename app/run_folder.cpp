@@ -8,7 +8,10 @@
 
 #include <cerrno>
 #include <cstring>
+#include <fstream>
+#include <iterator>
 #include <set>
+#include <string_view>
 
 #include "files/errors.hpp"
 
@@ -24,6 +27,21 @@ const std::set<std::string> own_files{"scene.toml",   "md.h5",          "md.chec
 const std::string lock_prefix = ".lock.";
 
 bool is_lock(const std::string& name) { return name.starts_with(lock_prefix); }
+
+/// What files::write_atomically leaves of one of these where the program is killed within it: NAME.PROCESS.tmp.
+bool is_half_written(const std::string& name) {
+    constexpr std::string_view ending = ".tmp";
+    if (!name.ends_with(ending)) return false;
+    const std::string stem = name.substr(0, name.size() - ending.size());
+    const std::size_t dot = stem.rfind('.');
+    return dot != std::string::npos && own_files.contains(stem.substr(0, dot)) && dot + 1 < stem.size() &&
+           stem.find_first_not_of("0123456789", dot + 1) == std::string::npos;
+}
+
+bool says(const std::filesystem::path& path, const std::string& text) {
+    std::ifstream file(path);
+    return std::string(std::istreambuf_iterator<char>(file), {}) == text;
+}
 
 /// Removes what a run left; of figures/ only what it drew.
 void remove_own(const std::filesystem::path& path) {
@@ -49,7 +67,7 @@ void refuse_folder_in_use(const std::filesystem::path& folder) {
     }
 }
 
-void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
+void prepare_folder(const std::filesystem::path& folder, bool overwrite, const std::string& scene) {
     std::error_code error;
     if (std::filesystem::exists(folder, error) && !std::filesystem::is_directory(folder, error)) {
         throw files::CannotCreate(fmt::format("{}: is a file, not a folder", folder.string()));
@@ -60,6 +78,12 @@ void prepare_folder(const std::filesystem::path& folder, bool overwrite) {
     for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
         const std::string name = entry.path().filename().string();
         if (is_lock(name)) continue;
+        if (is_half_written(name)) {
+            std::error_code ignored;
+            std::filesystem::remove(entry.path(), ignored);
+            continue;
+        }
+        if (!overwrite && name == "scene.toml" && says(entry.path(), scene)) continue;
         if (!overwrite) {
             throw files::CannotCreate(fmt::format("{}: holds {} and perhaps more; give another folder, or --overwrite",
                                                   folder.string(), name));

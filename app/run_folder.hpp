@@ -17,8 +17,9 @@ struct EngineFiles {
 };
 
 /// Makes the folder. A folder that holds anything is refused (files::CannotCreate) unless `overwrite`, which removes
-/// what an earlier run left there and touches nothing else.
-void prepare_folder(const std::filesystem::path& folder, bool overwrite);
+/// what an earlier run left there and touches nothing else. What a run leaves that is killed before its first
+/// checkpoint counts for nothing: half-written files, and a scene.toml that says just what `scene` says.
+void prepare_folder(const std::filesystem::path& folder, bool overwrite, const std::string& scene);
 
 /// Keeps a second run out of the same folder for as long as it lives; throws files::CannotCreate if one is there.
 class FolderLock {

@@ -16,8 +16,7 @@ namespace shaken::app {
 
 bool is_verification(scene::Kind kind) {
     return kind == scene::Kind::riemann || kind == scene::Kind::piston || kind == scene::Kind::column ||
-           kind == scene::Kind::wave ||
-           kind == scene::Kind::cooling_flow;
+           kind == scene::Kind::wave || kind == scene::Kind::cooling_flow;
 }
 
 void refuse_verification(const scene::Scene& scene, const std::string& command) {
@@ -31,7 +30,7 @@ void refuse_verification(const scene::Scene& scene, const std::string& command) 
 int run_verification(const scene::Scene& scene, const EngineOptions& options) {
     const continuum::Verification v =
         continuum::verify(scene);  // first: a scene it refuses must cost no earlier output
-    prepare_folder(options.out, options.overwrite);
+    prepare_folder(options.out, options.overwrite, scene::print_scene(scene));
     files::write_atomically(options.out / "scene.toml", scene::print_scene(scene));
     const bool known = v.why_no_exact.empty();
     std::string csv = "height,volume_fraction,velocity,temperature";
