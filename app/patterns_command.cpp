@@ -62,11 +62,11 @@ void print_pattern(const std::string& engine, const compare::PatternSummary& s) 
     if (s.fluctuations.empty()) return;
     fmt::print("  wavelength, sigma   <psi^2> of it   that lasts   that alternates         its factor a cycle\n");
     for (const auto& f : s.fluctuations) {
-        const bool seen = f.decays.alternating > 2.0 * f.errors.alternating;  // else the factor says nothing
         fmt::print("  {:>17.4g}   {:>13.3g}   {:>10.3g}   {:>10.3g} +- {:<8.2g}   {}\n", f.wavelength, f.power,
                    f.decays.persistent, f.decays.alternating, f.errors.alternating,
-                   seen ? fmt::format("{:>9.3f} +- {:<.2g}", f.decays.alternating_factor, f.errors.alternating_factor)
-                        : fmt::format("{:>9}", "-"));
+                   compare::tells_its_factor(f)
+                       ? fmt::format("{:>9.3f} +- {:<.2g}", f.decays.alternating_factor, f.errors.alternating_factor)
+                       : fmt::format("{:>9}", "-"));
     }
 }
 

@@ -106,6 +106,13 @@ MemoryError memory_error(double factor, double waves, double cycles) {
     return {std::sqrt((1.0 + square) / ((1.0 - square) * count)), std::sqrt((1.0 - square) / count)};
 }
 
+bool tells_its_factor(const Fluctuation& wave) {
+    constexpr double uncertain = 0.15;
+    const double factor = wave.decays.alternating_factor;
+    return wave.errors.alternating_factor < uncertain && factor > lowest_factor + 0.01 &&
+           factor < highest_factor - 0.001;
+}
+
 std::vector<Fluctuation> fluctuations(std::span<const PlaneWave> waves,
                                       const std::vector<std::vector<Amplitude>>& amplitudes, std::size_t most) {
     std::vector<Fluctuation> found;

@@ -45,6 +45,9 @@ struct Fluctuation {
     TwoDecays decays, errors;
 };
 
+/// Whether the factor of what alternates says something: told to 0.15, and inside the ends of fit_two_decays.
+bool tells_its_factor(const Fluctuation& wave);
+
 /// The longest `most` wavelengths, the longest first; none for fewer cycles than errors need (forty).
 /// amplitudes: [map][wave], of cycles that follow one another.
 std::vector<Fluctuation> fluctuations(std::span<const PlaneWave> waves,
