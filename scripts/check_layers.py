@@ -1,5 +1,6 @@
 #!/usr/bin/env python3
-"""Reads every #include "folder/..." and prints file:line of each arrow that points the wrong way."""
+"""Reads every #include "folder/..." and prints file:line of each arrow that points the wrong way, and of each test that
+takes Catch2 from elsewhere than tests/support/catch.hpp, the one file that knows its versions."""
 import pathlib
 import re
 import sys
@@ -29,7 +30,18 @@ def wrong_arrows(root):
                     yield f"{source.relative_to(root)}:{number}: {folder} may not include {match[1]}"
 
 
+def versions_of_catch(root):
+    for source in sorted((root / "tests").rglob("*.[ch]pp")):
+        if source.parent.name == "support":
+            continue
+        for number, line in enumerate(source.read_text().splitlines(), start=1):
+            match = re.search(r"<catch2/[^>]*>|\bCatch::\w+", line)
+            if match:
+                yield f"{source.relative_to(root)}:{number}: {match[0]} is only in some versions; take it from tests/support/catch.hpp"
+
+
 if __name__ == "__main__":
-    wrong = list(wrong_arrows(pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()))
+    root = pathlib.Path(sys.argv[1] if len(sys.argv) > 1 else ".").resolve()
+    wrong = [*wrong_arrows(root), *versions_of_catch(root)]
     print("\n".join(wrong) if wrong else "all arrows point the right way")
     sys.exit(1 if wrong else 0)

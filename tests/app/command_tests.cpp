@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 // The command from outside: what it says, what it leaves, how it ends.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using Catch::Contains;
 using support::shaken;
 using support::small_scene;
 

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: MIT
 // A continuum run that fails ends with 1, one sentence, and a checkpoint of its last sound state.
-#include <catch2/catch.hpp>
 #include <filesystem>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using Catch::Contains;
 using support::shaken;
 
 TEST_CASE("a continuum run that fails says where and when, and leaves its state and no output") {

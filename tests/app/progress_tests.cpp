@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "app/progress.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 
@@ -21,8 +22,8 @@ TEST_CASE("a status goes through its file unchanged") {
 
 TEST_CASE("a line says who, how far, how fast and how long") {
     Status status{"md", "running", 12.5, 75.0, 3.1e5, "collisions/s", 10.0, 3725.0};
-    CHECK_THAT(status.line(), Catch::Contains("md") && Catch::Contains("12.50 of 75") &&
-                                  Catch::Contains("310.0 k collisions/s") && Catch::Contains("ETA 1:02:05"));
+    CHECK_THAT(status.line(), Contains("md") && Contains("12.50 of 75") && Contains("310.0 k collisions/s") &&
+                                  Contains("ETA 1:02:05"));
     status.state = "finished";
-    CHECK_THAT(status.line(), Catch::Contains("finished after 0:10"));
+    CHECK_THAT(status.line(), Contains("finished after 0:10"));
 }

@@ -1,15 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Stopped, killed and restarted runs end in the same state and the same data as one that was left alone.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 #include <random>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using Catch::Contains;
 using support::shaken;
 
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "app/run_folder.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 
 #include "files/errors.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A homogeneous gas from the scene to its numbers: against the literature, in standard errors, and restarted.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -82,5 +82,5 @@ TEST_CASE("a homogeneous gas is refused where the MD is not asked for, in a sent
     const support::TemporaryFolder folder;
     const auto result = shaken("run " + scenes + "uniform_elastic.toml --out " + (folder / "out").string());
     CHECK(result.code == 65);
-    CHECK_THAT(result.text, Catch::Contains("run it with: shaken md"));
+    CHECK_THAT(result.text, Contains("run it with: shaken md"));
 }

@@ -2,12 +2,12 @@
 #include "compare/analysis.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "compare/jackknife.hpp"
 #include "compare/summary.hpp"
 #include "synthetic.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

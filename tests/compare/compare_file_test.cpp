@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "compare/compare_file.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
 #include "synthetic.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

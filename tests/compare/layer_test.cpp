@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "compare/layer.hpp"
 
-#include <catch2/catch.hpp>
 #include <numbers>
+
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -2,12 +2,12 @@
 // The fit of the Swift-Hohenberg model: on curves made up with a known answer, and on fields of the model itself.
 #include "compare/patterns/noise_fit.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "compare/patterns/power_spectrum.hpp"
 #include "scene/random_stream.hpp"
 #include "swift_hohenberg/simulation.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 using compare::ModelCurve;

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Measures of patterns on maps whose answer is known: plane waves, white noise, waves that alternate or grow.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -14,6 +12,7 @@
 #include "compare/patterns/polar_spectrum.hpp"
 #include "compare/patterns/power_spectrum.hpp"
 #include "scene/random_stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 using compare::Amplitude;

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +7,7 @@
 #include "compare/compare_file.hpp"
 #include "compare/summary.hpp"
 #include "synthetic.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <filesystem>
 
@@ -7,6 +6,7 @@
 #include "compare/md_sampler.hpp"
 #include "scene/read_scene.hpp"
 #include "synthetic.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "compare/shock_history.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "synthetic.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Ends by name, against what is known of each.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "continuum/boundary/named.hpp"
@@ -10,6 +8,7 @@
 #include "continuum/verification.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 
@@ -83,7 +82,6 @@ TEST_CASE("ends that contradict each other are refused with their place") {
         }
         return "";
     };
-    using Catch::Contains;
     CHECK_THAT(said("ch4_shock.toml", {"continuum.lower=\"heatd\""}), Contains("--set") && Contains("did you mean"));
     CHECK_THAT(said("ch4_shock.toml", {"continuum.upper=\"open\""}), Contains("known: lid, heated"));
     CHECK_THAT(said("ch4_shock.toml", {"continuum.lower=\"heated\""}), Contains("needs continuum.lower_temperature"));

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
-
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -9,6 +7,7 @@
 #include "continuum/closures/effective_dissipation.hpp"
 #include "continuum/closures/equation_of_state.hpp"
 #include "continuum/kernels.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 
@@ -172,16 +171,15 @@ TEST_CASE("compare's equation of state is the solver's") {
 TEST_CASE("a name that is in no table is refused with the names that are") {
     scene::Scene scene;
     scene.continuum.pair_correlation = {"goldstein", {"layer.toml", 7, 3, "pair_correlation = \"goldstein\""}};
-    CHECK_THROWS_WITH(make_equation_of_state(scene), Catch::Contains("layer.toml:7:3") &&
-                                                         Catch::Contains("goldshtein") &&
-                                                         Catch::Contains("carnahan_starling"));
+    CHECK_THROWS_WITH(make_equation_of_state(scene),
+                      Contains("layer.toml:7:3") && Contains("goldshtein") && Contains("carnahan_starling"));
     scene::Continuum choices;
     choices.flux.name = "hlc";
-    CHECK_THROWS_WITH(choose_kernels(choices), Catch::Contains("continuum.flux") && Catch::Contains("hllc"));
+    CHECK_THROWS_WITH(choose_kernels(choices), Contains("continuum.flux") && Contains("hllc"));
     choices = {};
     choices.limiter.name = "nolimit";
     CHECK_THROWS_AS(choose_kernels(choices), scene::SceneError);
     choices = {};
     choices.transport.name = "euler";
-    CHECK_THROWS_WITH(choose_kernels(choices), Catch::Contains("inviscid"));
+    CHECK_THROWS_WITH(choose_kernels(choices), Contains("inviscid"));
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

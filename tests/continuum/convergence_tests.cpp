@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Observed orders on smooth flow: a density wave of constant pressure and velocity, which the inviscid equations carry
 // along unchanged, in a periodic tube. Cell values are averages of mass and energy, so that fifth order can be seen.
-#include <catch2/catch.hpp>
-
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -12,6 +10,7 @@
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -10,6 +8,7 @@
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
 #include "continuum/diffusion_solve.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

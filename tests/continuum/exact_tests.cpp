@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // The exact solutions, against the values of reference.md section 2, and the runs that are held against them.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <numbers>
 
@@ -9,6 +7,7 @@
 #include "continuum/exact/gas.hpp"
 #include "continuum/exact/riemann.hpp"
 #include "continuum/verification.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

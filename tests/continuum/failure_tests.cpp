@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Where a method fails it says so, with place and time, and leaves a state to look at.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <limits>
 
@@ -11,13 +9,12 @@
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/solver.hpp"
 #include "files/checkpoint.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
 
 using namespace continuum;
-
-using Catch::Contains;
 
 namespace {
 

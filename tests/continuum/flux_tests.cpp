@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <random>
 
@@ -10,6 +8,7 @@
 #include "continuum/reconstruct/muscl.hpp"
 #include "continuum/reconstruct/weno5.hpp"
 #include "continuum/sweep.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

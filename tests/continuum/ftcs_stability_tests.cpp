@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Von Neumann's conditions that ftcs is held to, against what its steps do, driven by hand: nothing here can stop them.
-#include <catch2/catch.hpp>
-
 #include <algorithm>
 #include <cmath>
 #include <string>
@@ -9,6 +7,7 @@
 #include "cases.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "scene/random_stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The source's finite differences: right where the flow is smooth, first order in time, second in space; and what they
 // do not keep is measured.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <cstdio>
 #include <numbers>
@@ -11,6 +9,7 @@
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/solver.hpp"
 #include "scene/errors.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

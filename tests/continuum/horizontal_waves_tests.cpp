@@ -3,8 +3,6 @@
 // layer's waves of 21 diameters lose, they must lose to the gas and not to the grid.
 //     d/dt (n', u', T') = M (n', u', T'),  all ~ exp(i k x); a wave that starts as an eigenvector of M stays one and
 //     changes as exp(s t), s its eigenvalue: two of sound, one of heat. Shear: s = -(mu/n) k^2.
-#include <catch2/catch.hpp>
-
 #include <Eigen/Eigenvalues>
 #include <cmath>
 #include <complex>
@@ -13,6 +11,7 @@
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

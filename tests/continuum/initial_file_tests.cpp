@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Starts from an earlier state, onto other grids.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 #include <numbers>
 
 #include "continuum/initial_file.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

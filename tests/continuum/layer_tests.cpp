@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "continuum/errors.hpp"
@@ -10,6 +8,7 @@
 #include "files/checkpoint.hpp"
 #include "files/errors.hpp"
 #include "scene/errors.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
@@ -121,12 +120,12 @@ TEST_CASE("a run that fails says where and when") {
     frozen.particles.restitution = scene::RestitutionConstant{0.6};
     frozen.continuum.floor_temperature = 0.5;
     Solver cold(frozen);
-    CHECK_THROWS_WITH(cold.advance_to_phase(5, 0), Catch::Contains("temperature floor") && Catch::Contains("cycle 0"));
+    CHECK_THROWS_WITH(cold.advance_to_phase(5, 0), Contains("temperature floor") && Contains("cycle 0"));
 
     Setup setup = make_setup(small_layer());
     setup.flow.temperature[static_cast<std::size_t>(setup.grid.first(0)) + 5] = std::nan("");
     Evolution poisoned(setup);
-    CHECK_THROWS_WITH(poisoned.step(0.25, 0.01), Catch::Contains("0.25") && Catch::Contains("height"));
+    CHECK_THROWS_WITH(poisoned.step(0.25, 0.01), Contains("0.25") && Contains("height"));
 }
 
 TEST_CASE("how often one looks does not change the flow") {
@@ -144,16 +143,16 @@ TEST_CASE("how often one looks does not change the flow") {
 TEST_CASE("a layer that cannot start is refused in words") {
     scene::Scene scene = small_layer();
     scene.continuum.lid = 8.0;
-    CHECK_THROWS_WITH(Solver(scene), Catch::Contains("continuum.lid"));
+    CHECK_THROWS_WITH(Solver(scene), Contains("continuum.lid"));
     scene = small_layer();
     scene.initial.volume_fraction = 0.66;
-    CHECK_THROWS_WITH(Solver(scene), Catch::Contains("volume_fraction"));
+    CHECK_THROWS_WITH(Solver(scene), Contains("volume_fraction"));
     scene = small_layer();
     scene.continuum.dimension = {"4", {}};
     CHECK_THROWS_AS(Solver(scene), scene::SceneError);
     scene = small_layer();
     scene.continuum.scheme = {"muscle", {}};
-    CHECK_THROWS_WITH(Solver(scene), Catch::Contains("muscl"));
+    CHECK_THROWS_WITH(Solver(scene), Contains("muscl"));
 }
 
 TEST_CASE("the layer of chapter 4 becomes periodic and its centre of mass converges with the spacing") {

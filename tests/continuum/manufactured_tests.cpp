@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -14,6 +13,7 @@
 #include "continuum/closures/closures.hpp"
 #include "continuum/closures/equation_of_state.hpp"
 #include "continuum/evolution.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 using namespace continuum;

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 // Riemann problems and pistons of reference.md section 2: nu as density, p = nu T chi, e = 1, no transport.
-#include <catch2/catch.hpp>
-
 #include <cmath>
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

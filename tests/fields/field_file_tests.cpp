@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "fields/field_file.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <numeric>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
@@ -24,8 +24,8 @@ TEST_CASE("frames and the XDMF text name the same datasets") {
     CHECK(file.read_number("/frames/00000/phase") == 0.25);
     std::ifstream text(folder / "a.xdmf");
     const std::string xdmf{std::istreambuf_iterator<char>(text), {}};
-    CHECK_THAT(xdmf, Catch::Contains("a.h5:/frames/00000/density") && Catch::Contains("Dimensions=\"5 4 3\"") &&
-                         Catch::Contains("0.7 0 0") && Catch::Contains("0.2 2 2"));
+    CHECK_THAT(xdmf, Contains("a.h5:/frames/00000/density") && Contains("Dimensions=\"5 4 3\"") &&
+                         Contains("0.7 0 0") && Contains("0.2 2 2"));
     CHECK_THROWS_AS(frames.add_frame(2.0, 3, 0.5, 0.7, {{"density", std::span<const double>(values).first(3)}}),
                     std::invalid_argument);
 }

@@ -2,10 +2,10 @@
 // Maps of z_cm(x, y): mass and moment go where they belong, whatever the cells and wherever the positions were wrapped.
 #include "fields/height_maps.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numeric>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

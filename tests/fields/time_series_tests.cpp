@@ -2,8 +2,8 @@
 #include "fields/time_series.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

@@ -1,17 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "files/checkpoint.hpp"
 
-#include <catch2/catch.hpp>
 #include <fstream>
 #include <random>
 
 #include "files/errors.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
 
 using namespace files;
-using Catch::Contains;
 
 namespace {
 

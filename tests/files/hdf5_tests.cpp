@@ -2,11 +2,11 @@
 #include "files/hdf5.hpp"
 
 #include <array>
-#include <catch2/catch.hpp>
 #include <numeric>
 
 #include "files/errors.hpp"
 #include "files/provenance.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // Every event of the engine against a search that knows no lists, no queue and no moving frame: from the state before
 // the event, the earliest contact of all pairs and walls.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "md/contact_time.hpp"
 #include "md/plate_contact_time.hpp"
 #include "small_systems.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include <array>
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "md/collision_law.hpp"
 #include "scene/random_stream.hpp"
 #include "scene/restitution.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
 #include <limits>
 #include <set>
 #include <utility>
@@ -7,6 +6,7 @@
 
 #include "md/event_queue.hpp"
 #include "scene/random_stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

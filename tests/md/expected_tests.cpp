@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Runs of the shipped scenes against data/expected, where long runs of them are recorded.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <cstdint>
 #include <fstream>
@@ -10,6 +9,7 @@
 
 #include "md/simulation.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Walton's friction: the published collisions, what each contact keeps, and a shaken frictional layer's ledger.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "files/checkpoint.hpp"
@@ -8,6 +7,7 @@
 #include "md/friction_law.hpp"
 #include "scene/random_stream.hpp"
 #include "small_systems.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 // A periodic gas: conservation and no overlap.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "small_systems.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

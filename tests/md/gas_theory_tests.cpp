@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Gases against kinetic theory: self-diffusion, the fourth cumulant of a cooling gas, and how late cooling goes where
 // slow contacts are elastic. Tolerances in standard errors of independent blocks or seeds.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "md/hard_sphere_theory.hpp"
 #include "small_systems.hpp"
 #include "statistics.hpp"
+#include "tests/support/catch.hpp"
 
 namespace {
 

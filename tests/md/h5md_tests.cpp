@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
-
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 #include "md/h5md.hpp"
 #include "small_systems.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: MIT
 // Starts from what an earlier run left: the same state at the same phase of the plate, under the laws of the new scene.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "files/checkpoint.hpp"
@@ -9,6 +8,7 @@
 #include "md/h5md.hpp"
 #include "scene/errors.hpp"
 #include "small_systems.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
@@ -100,18 +100,18 @@ TEST_CASE("a start that the scene contradicts is refused with what is there") {
     auto scene = rough_layer();
     scene.initial.file = folder.path() / "md.checkpoint";
     save(shaken_until(0.35), scene.initial.file);
-    CHECK_THROWS_WITH(md::Simulation(scene), Catch::Contains("initial.phase = 0") && Catch::Contains("at 0.35"));
+    CHECK_THROWS_WITH(md::Simulation(scene), Contains("initial.phase = 0") && Contains("at 0.35"));
     scene.initial.phase = 0.35;
     CHECK_NOTHROW(md::Simulation(scene));
     auto other = scene;
     other.number_of_particles = 149;
-    CHECK_THROWS_WITH(md::Simulation(other), Catch::Contains("150 particles, the scene has 149"));
+    CHECK_THROWS_WITH(md::Simulation(other), Contains("150 particles, the scene has 149"));
     other = scene;
     other.box.y = 7.5;
-    CHECK_THROWS_WITH(md::Simulation(other), Catch::Contains("of a box of 6 x 7"));
+    CHECK_THROWS_WITH(md::Simulation(other), Contains("of a box of 6 x 7"));
     other = scene;
     other.sample.phases = 30;
-    CHECK_THROWS_WITH(md::Simulation(other), Catch::Contains("is no sample instant of sample.phases = 30"));
+    CHECK_THROWS_WITH(md::Simulation(other), Contains("is no sample instant of sample.phases = 30"));
     other = scene;
     other.sample.settle = 0;
     other.sample.average = 1;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <numbers>
 
 #include "md/errors.hpp"
 #include "md/initial_state.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

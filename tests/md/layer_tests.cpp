@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 // A small shaken layer: what is conserved, what is reproducible, what is refused.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "files/checkpoint.hpp"
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 #include "small_systems.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include <catch2/catch.hpp>
 #include <vector>
 
 #include "md/nearest_contact.hpp"
 #include "md/paged_vector.hpp"
 #include "scene/random_stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

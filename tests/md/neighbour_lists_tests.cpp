@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 #include <vector>
 
 #include "md/neighbour_lists.hpp"
 #include "scene/random_stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

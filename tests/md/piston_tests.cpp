@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: MIT
 // A fast plate as a piston: behind the shock it drives into a cold elastic gas the gas moves with the piston and has
 // the temperature V^2/3, at any density, because half of what the piston does becomes heat.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "md/initial_state.hpp"
 #include "small_systems.hpp"
 #include "statistics.hpp"
+#include "tests/support/catch.hpp"
 
 namespace {
 

@@ -2,13 +2,13 @@
 // The plate's contact against a method that cannot skip a root: as the gap's acceleration is at most 1 + Gamma in size,
 // from a gap h with rate h' no contact comes before s with h + h' s - (1 + Gamma) s^2/2 = 0. Marching by such steps, in
 // extended precision, runs into the first contact and never past it.
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "md/contact_time.hpp"
 #include "md/plate_contact_time.hpp"
 #include "md/simulation.hpp"
 #include "scene/random_stream.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
 // Against hard-sphere theory and published numbers. Tolerances in standard errors of block averages.
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <vector>
 
 #include "small_systems.hpp"
 #include "statistics.hpp"
+#include "tests/support/catch.hpp"
 
 namespace {
 

@@ -3,10 +3,11 @@
 #include "plan/heights.hpp"
 
 #include <algorithm>
-#include <catch2/catch.hpp>
 #include <cmath>
 #include <random>
 #include <vector>
+
+#include "tests/support/catch.hpp"
 
 using namespace shaken::plan;
 

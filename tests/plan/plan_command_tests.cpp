@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 // `shaken plan` from outside, on a layer of 200 particles whose trials take about a second.
-#include <catch2/catch.hpp>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using Catch::Contains;
 using support::shaken;
 
 namespace {

@@ -1,13 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "plan/rules.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "plan/wish.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
-using Catch::Contains;
 
 namespace {
 

@@ -2,8 +2,9 @@
 #include "plan/table.hpp"
 
 #include <fmt/format.h>
-#include <catch2/catch.hpp>
 #include <cmath>
+
+#include "tests/support/catch.hpp"
 
 using namespace shaken::plan;
 
@@ -44,7 +45,7 @@ TEST_CASE("the scheme is the cheapest for the error, the most exact where none r
 }
 
 TEST_CASE("a table without its columns is refused") {
-    CHECK_THROWS_WITH(parse_table("study,engine\nch4_shock,md\n"), Catch::Contains("no column"));
+    CHECK_THROWS_WITH(parse_table("study,engine\nch4_shock,md\n"), Contains("no column"));
 }
 
 TEST_CASE("the table built in knows a scheme that converges and a floor below a per mille") {

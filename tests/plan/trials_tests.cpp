@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "plan/trials.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "md/errors.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 
 using namespace shaken;

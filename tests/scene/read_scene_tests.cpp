@@ -3,15 +3,14 @@
 
 #include <fmt/format.h>
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "scene/errors.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 
 using namespace scene;
-using Catch::Contains;
 
 namespace {
 

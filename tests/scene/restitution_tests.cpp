@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "scene/restitution.hpp"
 
-#include <catch2/catch.hpp>
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 

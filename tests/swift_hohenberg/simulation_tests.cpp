@@ -3,10 +3,10 @@
 // a potential that falls, the amplitude of its stripes, and the order of its step.
 #include "swift_hohenberg/simulation.hpp"
 
-#include <catch2/catch.hpp>
 #include <cmath>
 
 #include "swift_hohenberg/linear_theory.hpp"
+#include "tests/support/catch.hpp"
 
 using namespace shaken;
 using swift_hohenberg::Parameters;
