@@ -6,8 +6,8 @@
 
 Each scene of SCENES is planned and run. Times are CPU seconds of the whole process. Found error of the continuum: rms over 20 phases of z_cm against a grid four times (where
 that is long, twice) as fine, steps half as long for their size, more cycles to settle, under the highest lid that a plan knows (square: twice the planned one; a part of the lid's error then hides). Found error of the MD: scatter of
-z_cm over blocks (a tenth of a run, even, at least two cycles) of SEEDS runs of the planned length. Four rows a scene, of all scenes done so far, in data/expected/plans.csv and a figure beside the runs. What
-is there already is not computed again; a row lives in OUT/NAME/rows.json and goes with its folder.
+z_cm over blocks (a tenth of a run, even, at least two cycles) of SEEDS runs of the planned length. Four rows a scene in data/expected/plans.csv, where those of other scenes
+stay, and a figure beside the runs. What is there already is not computed again; a row lives in OUT/NAME/rows.json and goes with its folder.
 """
 import argparse
 import csv
@@ -168,6 +168,16 @@ def said(row):
     return f"{row['engine']} {row['quantity']} {row['foretold']:.3g} -> {row['found']:.3g}{'' if row['within'] else ' (!)'};"
 
 
+def kept_rows():
+    """{scene: rows} of the table, as text."""
+    kept = {}
+    if TABLE.exists():
+        with open(TABLE, newline="") as table:
+            for row in csv.DictReader(table):
+                kept.setdefault(row["scene"], []).append(row)
+    return kept
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("--out", type=pathlib.Path, default=ROOT / "out/plans")
@@ -178,12 +188,13 @@ def main():
     for name in options.only:
         new = Check(options.shaken.resolve(), out, name).rows()
         print(f"{name:16} {new[0]['wish']:14}", *map(said, new), flush=True)
-    done = {name: json.loads((out / name / "rows.json").read_text()) for name in SCENES if (out / name / "rows.json").exists()}
+    fresh = {name: json.loads((out / name / "rows.json").read_text()) for name in SCENES if (out / name / "rows.json").exists()}
+    done = {name: rows for name, rows in (kept_rows() | fresh).items() if name in SCENES}
     with open(TABLE, "w", newline="") as table:
         writer = csv.DictWriter(table, COLUMNS, lineterminator="\n")
         writer.writeheader()
         writer.writerows({k: f"{v:.4g}" if isinstance(v, float) else v for k, v in row.items()} for rows in done.values() for row in rows)
-    kept = [name for name, rows in done.items() if all(r["within"] for r in rows)]
+    kept = [name for name, rows in done.items() if all(int(r["within"]) for r in rows)]
     print(f"{len(kept)} of {len(done)} scenes keep every promise; not: {', '.join(name for name in done if name not in kept) or 'none'}")
     return subprocess.run([sys.executable, "-B", ROOT / "scripts/figures/plans.py", TABLE, out / "figures"], check=False).returncode
 

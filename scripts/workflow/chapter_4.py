@@ -2,6 +2,7 @@
 """The runs, comparisons and figures of chapter 4, in the words of workflow/Snakefile."""
 import subprocess
 
+import changed
 import workflow
 
 SCENE = "data/scenes/ch4_shock.toml"
@@ -109,3 +110,21 @@ def make(root, out, figures, jobs, dry_run, command):
         return code
     report = [root / "scripts/figures/chapter_report.py", out, command]
     return subprocess.run(["/usr/bin/python3", "-B", *map(str, report)], check=False).returncode
+
+
+def kept(_root):
+    """The tables ch4_* of data/expected, which are made of all runs together."""
+    return [changed.Part("ch4_claims, _comparisons", "ch4", [changed.run_of(runs(), name, profiles=True) for name in runs()])]
+
+
+def remake(today, parts):
+    """The stale runs of the chapter, its figures, and what is kept of it."""
+    part, = parts
+    changed.prepare(today.stamps(part), today.out, runs(), runs(), profiles=True)
+    code = make(today.root, today.out, [], today.jobs, False, today.command)
+    if code:
+        return code
+    code = subprocess.run(["/usr/bin/python3", "-B", today.root / "scripts/expected_chapter_4.py", today.out], check=False).returncode
+    if not code:
+        today.stamps(part).record(part.runs)
+    return code

@@ -134,3 +134,11 @@ FIGURES = {
 def make(root, out, figures, jobs, dry_run, command):
     """The chapter, or the named figures of it; an exit code."""
     return patterns_study.make(root, out, FIGURES, runs(), figures, jobs, dry_run, command, "Chapter 5: patterns in a shaken layer")
+
+
+def kept(root):
+    return patterns_study.kept(root, "ch5", FIGURES, runs())
+
+
+def remake(today, parts):
+    return patterns_study.remake(today, parts, FIGURES, runs(), make)

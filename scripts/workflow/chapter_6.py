@@ -124,3 +124,11 @@ def keep(out, name, text):
 def make(root, out, figures, jobs, dry_run, command):
     """The chapter, or the named figures of it; an exit code."""
     return patterns_study.make(root, out, FIGURES, runs(), figures, jobs, dry_run, command, "Chapter 6: onset of patterns and fluctuations", {"fit.json": fit, "scatter.csv": scatter})
+
+
+def kept(root):
+    return patterns_study.kept(root, "ch6", FIGURES, runs())
+
+
+def remake(today, parts):
+    return patterns_study.remake(today, parts, FIGURES, runs(), make)

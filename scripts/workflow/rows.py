@@ -57,18 +57,23 @@ def missing(table, wanted):
     return [row for row in wanted if row.command not in known]
 
 
-def fill(table, wanted, shaken, runs=None):
-    """Makes the rows that `table` lacks, one after another; an exit code. Runs are kept and taken up again under `runs`, if given."""
+def fill(table, wanted, shaken, runs=None, renewal=None):
+    """Makes the rows that `table` lacks, one after another; an exit code. Runs are kept and taken up again under `runs`, if given. renewal: makes
+    those that it calls stale anew in their place (patterns_study.Renewal)."""
     table = pathlib.Path(table)
-    for row in missing(table, wanted):
+    lacking = missing(table, wanted)
+    for row in [row for row in wanted if row in lacking or renewal and renewal.is_stale(row)]:
         with tempfile.TemporaryDirectory() as aside:
             folder = pathlib.Path(runs or aside) / row.folder
+            if renewal:
+                renewal.prepare(folder, row)
             ended = folder / f"{row.engine}.end.json"
             if not ended.is_file():
                 code = subprocess.run([sys.executable, "-B", ONE_RUN, shaken, row.engine, folder, row.scene, *row.settings], check=False).returncode
                 if code:
                     return code
             end = json.loads(ended.read_text())
+            remove(table, row.command)
             if end["exit_code"]:
                 print(f"{row.command}: {' '.join(end['said'])}; no row", file=sys.stderr)
                 continue
@@ -82,7 +87,37 @@ def fill(table, wanted, shaken, runs=None):
             add_lines(table, row, FLUCTUATION_COLUMNS, [line | {"first_cycle": row.fluctuations} for line in found["fluctuations"]], seconds)
         else:
             add(table, row, found, seconds)
+        if renewal:
+            renewal.made(row)
     return 0
+
+
+def remove(table, command):
+    """Takes the lines of one run out of a table, and its blocks out of the table beside."""
+    table = pathlib.Path(table)
+    lines = read(table)
+    if not any(line["command"] == command for line in lines):
+        return
+    blocks = table.with_suffix(".blocks.csv")
+    if blocks.exists():
+        value = next(float(line["value"]) for line in lines if line["command"] == command)
+        number = [line["command"] for line in lines if float(line["value"]) == value].index(command) + 1
+        # Runs of one value are numbered in the order of the table: those behind move up.
+        others = [block for block in read(blocks) if (float(block["value"]), int(block["run"])) != (value, number)]
+        write(blocks, [block | {"run": int(block["run"]) - (float(block["value"]) == value and int(block["run"]) > number)} for block in others])
+    write(table, [line for line in lines if line["command"] != command])
+
+
+def write(table, lines):
+    """The table with these lines, under the columns that it has."""
+    with open(table, newline="") as file:
+        columns = next(csv.reader(file))
+    aside = table.with_suffix(".part")
+    with open(aside, "w", newline="") as file:
+        writer = csv.DictWriter(file, columns, lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(lines)
+    aside.rename(table)
 
 
 def add(table, row, found, seconds):

@@ -8,10 +8,12 @@ Leaves OUT/work_precision.csv, the rows of data/expected/work_precision.csv, and
 """
 import os
 import re
+import shutil
 import subprocess
 import sys
 from pathlib import Path
 
+import changed
 import precision_continuum
 import precision_grains
 import precision_model
@@ -90,4 +92,28 @@ def draw(study, figures, command):
         code = subprocess.run(["/usr/bin/python3", "-B", *map(str, script)], check=False).returncode
         if code:
             return code
+    return 0
+
+
+EXPECTED = "data/expected/work_precision.csv"
+
+
+def kept(_root):
+    """A part for each chart that runs are behind."""
+    runs, comparisons = precision_points.workflow_runs(), precision_points.workflow_comparisons()
+    return [changed.Part(name, "work_precision", [changed.run_of(runs, run, profiles=True) for run in needs(name, runs, comparisons)[0]])
+            for name, (studies, _) in FIGURES.items() if studies]
+
+
+def remake(today, parts):
+    """The stale charts, all their runs by one program (OUT/HASH), and the rows that are kept of them; rows of other charts stay."""
+    table = today.out / "work_precision.csv"
+    today.out.mkdir(parents=True, exist_ok=True)
+    shutil.copy(today.root / EXPECTED, table)
+    code = make(today.root, today.out, [*(part.name for part in parts), "figure_overview"], today.jobs, False, today.command)
+    if code:
+        return code
+    shutil.copy(table, today.root / EXPECTED)
+    for part in parts:
+        today.stamps(part).record(part.runs)
     return 0
