@@ -5,7 +5,6 @@
 #include <spdlog/spdlog.h>
 
 #include <CLI/CLI.hpp>
-#include <Eigen/Core>
 #include <boost/version.hpp>
 #include <csignal>
 #include <cstdio>
@@ -34,11 +33,11 @@ using namespace app;
 
 std::string version_text() {
     return fmt::format(
-        "shaken {} ({})\ncompiler   {}\nflags      {}\nlibraries  HDF5 {}.{}.{}, Eigen {}.{}.{}, Boost {}.{}, fmt {}, "
+        "shaken {} ({})\ncompiler   {}\nflags      {}\nlibraries  HDF5 {}.{}.{}, Boost {}.{}, fmt {}, "
         "spdlog {}.{}.{}, CLI11 {}",
         version::number, version::git_hash, version::compiler, version::compiler_flags, H5_VERS_MAJOR, H5_VERS_MINOR,
-        H5_VERS_RELEASE, EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION, BOOST_VERSION / 100000,
-        BOOST_VERSION / 100 % 1000, FMT_VERSION, SPDLOG_VER_MAJOR, SPDLOG_VER_MINOR, SPDLOG_VER_PATCH, CLI11_VERSION);
+        H5_VERS_RELEASE, BOOST_VERSION / 100000, BOOST_VERSION / 100 % 1000, FMT_VERSION, SPDLOG_VER_MAJOR,
+        SPDLOG_VER_MINOR, SPDLOG_VER_PATCH, CLI11_VERSION);
 }
 
 /// CLI11's own check prints the largest double.
