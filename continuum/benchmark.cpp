@@ -51,7 +51,8 @@ BenchmarkResult benchmark(std::int64_t cells_x, std::int64_t cells_y, std::int64
     result.cells = evolution.grid().cells();
     result.steps = steps;
     result.threads = static_cast<int>(std::min<std::int64_t>(omp_get_max_threads(), evolution.grid().columns()));
-    result.cell_updates_per_second = static_cast<double>(result.cells * steps) / result.wall_seconds;
+    result.cell_updates_per_second =
+        static_cast<double>(result.cells * steps * Evolution::carries_a_step) / result.wall_seconds;
     result.bytes_per_cell = evolution.bytes_per_cell();
     result.scheme = scheme;
     return result;

@@ -75,7 +75,7 @@ void Evolution::copy_column(const Flow& from, Flow& to, std::int64_t column) con
     copy(from.temperature, to.temperature);
 }
 
-// A step is cfl of what the fastest direction allows, and no more than what all directions together do: an unsplit
+// Each carry is cfl of what the fastest direction allows, and no more than what all directions together do: an unsplit
 // scheme is stable while the Courant numbers add up to less than one. Cells ten times wider than high leave the first
 // condition the stricter one, so that a flow uniform in x and y takes the steps of one column.
 double Evolution::longest_step() {
@@ -116,7 +116,7 @@ double Evolution::longest_step() {
         fastest = larger(fastest, rate);
         together = larger(together, all);
     }
-    return smaller(setup_.choices.cfl / fastest, 1.0 / together);
+    return static_cast<double>(carries_a_step) * smaller(setup_.choices.cfl / fastest, 1.0 / together);
 }
 
 void Evolution::step(double t, double dt) {
@@ -154,14 +154,10 @@ void Evolution::step(double t, double dt) {
 }
 
 bool Evolution::try_step(double t, double dt, const Sweeps& sweeps) {
-    const bool forward = steps_ % 2 == 0;
-    if (forward) {
-        relax(dt, true);
-        return carry(t, dt, sweeps);
-    }
-    if (!carry(t, dt, sweeps)) return false;
-    relax(dt, false);
-    return true;
+    const double half = 0.5 * dt;
+    if (!carry(t, half, sweeps)) return false;
+    relax(dt);
+    return carry(t + half, half, sweeps);
 }
 
 void Evolution::fail(double t, double dt) const {

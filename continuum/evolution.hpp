@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: MIT
-// Advances a flow by whole steps. A step is, in turn, and in the opposite order every other time (which makes the
-// splitting second order over two steps):
-//     cool      dT/dt = -(8/sqrt(pi)) G D T^(3/2), exactly, cell by cell
-//     diffuse   viscosity and conduction, implicit along each column (second order in dt); the kinetic energy it
-//               takes becomes heat; across columns, and in the terms that mix directions, explicit (first order); cool
-//               and diffuse are cut into as many pieces as that asks for
-//     carry     mass, momentum and energy by waves and by the body force, explicit
+// Advances a flow by whole steps. A step reads the same in either direction, which makes it second order and a steady
+// state one number:
+//     carry     over half the step: mass, momentum and energy by waves and by the body force, explicit
+//     relax     over the whole step: cooling dT/dt = -(8/sqrt(pi)) G D T^(3/2), viscosity and conduction, together
+//               along each column, implicit (second order in dt); the kinetic energy that viscosity takes becomes heat;
+//               viscosity and conduction across columns, and what mixes directions, half before and half after,
+//               explicit (first order); in as many pieces as that asks for
+//     carry     over the other half
 // A step that would leave a cell empty, packed or without a number is taken back and repeated in halves, at last with
 // first-order fluxes; if that does not help the run has failed.
 #pragma once
@@ -39,10 +40,12 @@ enum class Direction { x, y, z };
 
 class Evolution : public Method {
   public:
+    static constexpr int carries_a_step = 2;
+
     /// Throws scene::SceneError for unknown names.
     explicit Evolution(Setup setup);
 
-    /// The longest step that the waves allow now, times cfl.
+    /// Two carries as long as the waves allow now, times cfl.
     double longest_step() override;
     /// One step from local time t; throws RunFailed, with the state as it was, if it cannot be made.
     void step(double t, double dt) override;
@@ -87,13 +90,13 @@ class Evolution : public Method {
     bool update(std::int64_t column, const Stage& stage, bool first_stage, double gravity, double dt);
 
     // relax.cpp and relax_horizontal.cpp
-    void relax(double dt, bool cooling_first);
+    void relax(double dt);
     TransportArrays coefficients(std::int64_t column);
     void cool(std::int64_t column, double dt);
-    void diffuse(std::int64_t column, double dt, Workspace& work);
-    void diffuse_by_backward_euler(std::int64_t column, double dt, Workspace& work);
+    void cool_and_diffuse(std::int64_t column, double dt, bool cools, Workspace& work);
+    void cool_and_diffuse_once(std::int64_t column, double dt, bool cools, Workspace& work);
     void add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced, double* heat) const;
-    void relax_once(double dt, bool cooling_first, bool cools);
+    void relax_columns(double dt, bool cools);
     void relax_horizontally(double dt);
     int pieces_of_relaxation(double dt);
     double share_of_face() const;

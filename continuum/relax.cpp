@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-// The implicit and the exact part of a step: diffusion along the columns, cooling in the cells.
+// The implicit and the exact part of a step: diffusion along the columns, cooling in the cells. They are one operator:
+// where conduction along z crosses a cell in less than a step, cooling by itself and conduction by itself would leave
+// a heated wall an error of first order in dt.
 #include <algorithm>
 #include <cmath>
 
@@ -12,7 +14,7 @@ namespace shaken::continuum {
 
 // All transport coefficients are a function of density times a power of T, and density does not change here: they are
 // taken at T = 1, once for all pieces.
-void Evolution::relax(double dt, bool cooling_first) {
+void Evolution::relax(double dt) {
     const bool cools = !(dissipation_.is_constant() && dissipation_.constant() == 0.0);
     if (!cools && !kernels_.viscous) return;
     const std::int64_t columns = grid().columns();
@@ -23,8 +25,14 @@ void Evolution::relax(double dt, bool cooling_first) {
         kernels_.transport(flow().density.data() + grid().first(column), ones, coefficients(column), grid().nz,
                            constants_);
     }
-    const int pieces = kernels_.viscous && columns > 1 ? pieces_of_relaxation(dt) : 1;
-    for (int i = 0; i < pieces; ++i) relax_once(dt / pieces, cooling_first, cools);
+    const bool horizontal = kernels_.viscous && columns > 1;
+    const int pieces = horizontal ? pieces_of_relaxation(0.5 * dt) : 1;
+    const double piece = dt / pieces;
+    for (int i = 0; i < pieces; ++i) {
+        if (horizontal) relax_horizontally(0.5 * piece);
+        relax_columns(piece, cools);
+        if (horizontal) relax_horizontally(0.5 * piece);
+    }
     relaxations_ += pieces;
 }
 
@@ -35,17 +43,14 @@ TransportArrays Evolution::coefficients(std::int64_t column) {
             coefficients_.cooling.data() + first};
 }
 
-void Evolution::relax_once(double dt, bool cooling_first, bool cools) {
-    const bool horizontal = kernels_.viscous && grid().columns() > 1;
-    const std::int64_t columns = grid().columns();
-    if (horizontal && !cooling_first) relax_horizontally(dt);
+void Evolution::relax_columns(double dt, bool cools) {
 #pragma omp parallel for schedule(static) num_threads(threads())
-    for (std::int64_t column = 0; column < columns; ++column) {
-        if (cools && cooling_first) cool(column, dt);
-        if (kernels_.viscous) diffuse(column, dt, work_[thread()]);
-        if (cools && !cooling_first) cool(column, dt);
+    for (std::int64_t column = 0; column < grid().columns(); ++column) {
+        if (kernels_.viscous)
+            cool_and_diffuse(column, dt, cools, work_[thread()]);
+        else
+            cool(column, dt);
     }
-    if (horizontal && cooling_first) relax_horizontally(dt);
 }
 
 void Evolution::cool(std::int64_t column, double dt) {
@@ -92,12 +97,13 @@ void Evolution::cool(std::int64_t column, double dt) {
     books.floor_gain += 1.5 * grid().dz * floored;
 }
 
-// Backward Euler over the step and over its two halves, extrapolated (Richardson): second order in dt, and a mode that
-// decays as exp(-x) is multiplied by 2/(1 + x/2)^2 - 1/(1 + x), which goes to 0 for large x and is never below -0.036.
-// With d = u_halves - u_whole the motion is u_halves + s d, and what keeps the total energy of each cell is
+// Cooling, then backward Euler, over the step and over its two halves, extrapolated (Richardson): second order in dt,
+// and a mode that decays as exp(-x) is multiplied by 2/(1 + x/2)^2 - 1/(1 + x), which goes to 0 for large x and is
+// never below -0.036. With d = u_halves - u_whole the motion is u_halves + s d, and what keeps the total energy of each
+// cell is
 //     T_halves + s (T_halves - T_whole) - (s + s^2) d^2/3.
 // s is 1 wherever that leaves each cell of the column at least half of T_halves; else the largest for which it does.
-void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
+void Evolution::cool_and_diffuse(std::int64_t column, double dt, bool cools, Workspace& work) {
     const std::int64_t nz = grid().nz, first = grid().first(column);
     Flow& flow = setup_.flow;
     double* fields[4] = {flow.temperature.data() + first, flow.velocity_z.data() + first};
@@ -109,15 +115,15 @@ void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
     for (std::size_t k = 0; k < changing; ++k) std::copy(fields[k], fields[k] + nz, start(k));
     Ledger& books = books_[static_cast<std::size_t>(column)];
     const Ledger books_before = books;
-    diffuse_by_backward_euler(column, dt, work);
+    cool_and_diffuse_once(column, dt, cools, work);
     const Ledger books_whole = books;
     books = books_before;
     for (std::size_t k = 0; k < changing; ++k) {
         std::copy(fields[k], fields[k] + nz, whole(k));
         std::copy(start(k), start(k) + nz, fields[k]);
     }
-    diffuse_by_backward_euler(column, 0.5 * dt, work);
-    diffuse_by_backward_euler(column, 0.5 * dt, work);
+    cool_and_diffuse_once(column, 0.5 * dt, cools, work);
+    cool_and_diffuse_once(column, 0.5 * dt, cools, work);
 
     double *squares = start(0), *t = fields[0];  // d^2/3
     const double* t_whole = whole(0);
@@ -138,14 +144,16 @@ void Evolution::diffuse(std::int64_t column, double dt, Workspace& work) {
         const double* u_whole = whole(k);
         for (std::int64_t i = 0; i < nz; ++i) u[i] += s * (u[i] - u_whole[i]);
     }
-    for (double Ledger::*entry : {&Ledger::boundary_gain, &Ledger::plate_impulse, &Ledger::lid_impulse})
+    for (double Ledger::*entry : {&Ledger::collisional_loss, &Ledger::floor_gain, &Ledger::boundary_gain,
+                                  &Ledger::plate_impulse, &Ledger::lid_impulse})
         books.*entry += s * (books.*entry - books_whole.*entry);
 }
 
 //  | cell 0 | cell 1 | ...     couplings w[0] w[1] ... w[nz] live on the faces; w[f] = dt coefficient / dz^2, the
 //  w0       w1       w2        coefficient being the mean of its two cells. At a wall it is 2 dt coefficient / dz^2,
 //                              the wall standing half a cell away. In a periodic column both ends are one face.
-void Evolution::diffuse_by_backward_euler(std::int64_t column, double dt, Workspace& work) {
+void Evolution::cool_and_diffuse_once(std::int64_t column, double dt, bool cools, Workspace& work) {
+    if (cools) cool(column, dt);
     const std::int64_t nz = grid().nz, first = grid().first(column);
     const double dz = grid().dz;
     const double* density = flow().density.data() + first;

@@ -143,6 +143,23 @@ TEST_CASE("a dilute layer on a heated bottom has the temperature of the referenc
     CHECK(v.numbers[0].computed == Approx(0.78113952).epsilon(1e-2));
 }
 
+TEST_CASE("a steady state is one number, whatever the number and the length of the steps") {
+    scene::Scene scene = tube(scene::Kind::column, 12000.0, 4000.0, 200.0);
+    scene.tube.restitution = 0.7;
+    scene.tube.wall_temperature = 1000.0;
+    scene.tube.gas.temperature = 900.0;
+    const double at_wall = verify(scene).temperature.front();
+    for (const double later : {4.0, 8.0, 12.0}) {  // half a step, a step, one and a half
+        scene.tube.time = 4000.0 + later;
+        // What has not settled yet: 4e-6 in three time units.
+        CHECK(verify(scene).temperature.front() == Approx(at_wall).epsilon(2e-5));
+    }
+    scene.tube.time = 4000.0;
+    scene.continuum.cfl = 0.2;
+    // Truncation of a step in which conduction crosses ten cells.
+    CHECK(verify(scene).temperature.front() == Approx(at_wall).epsilon(3e-3));
+}
+
 TEST_CASE("a column at rest stays at rest", "[validation]") {
     scene::Scene scene = tube(scene::Kind::column, 16.0, 30.0, 0.1);
     const Verification v = verify(scene);
