@@ -95,7 +95,6 @@ class Evolution : public Method {
     void cool(std::int64_t column, double dt);
     void cool_and_diffuse(std::int64_t column, double dt, bool cools, Workspace& work);
     void cool_and_diffuse_once(std::int64_t column, double dt, bool cools, Workspace& work);
-    void add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced, double* heat) const;
     void relax_columns(double dt, bool cools);
     void relax_horizontally(double dt);
     int pieces_of_relaxation(double dt);

@@ -9,6 +9,7 @@
 #include "continuum/diffusion_solve.hpp"
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
+#include "continuum/heat_of_density.hpp"
 
 namespace shaken::continuum {
 
@@ -178,11 +179,11 @@ void Evolution::cool_and_diffuse_once(std::int64_t column, double dt, bool cools
         coupling[nz] = upper_wall ? 4.0 * coefficient[nz - 1] : 0.0;
         if (ring) coupling[0] = coupling[nz] = coefficient[0] + coefficient[nz - 1];
     };
-    const auto solve = [&](const double* capacity) {
+    const auto solve = [&](const double* capacity, const Couplings& couplings) {
         if (ring)
-            solve_periodic_diffusion(nz, capacity, coupling, values, ratio, work.row(13), work.row(14));
+            solve_periodic_diffusion(nz, capacity, couplings, values, ratio, work.row(13), work.row(14));
         else
-            solve_diffusion(nz, capacity, coupling, values, ratio);
+            solve_diffusion(nz, capacity, couplings, values, ratio);
     };
     const auto momentum = [&](const double* velocity, double* out) {
         for (std::int64_t i = 0; i < nz; ++i) out[i] = density[i] * velocity[i];
@@ -207,7 +208,7 @@ void Evolution::cool_and_diffuse_once(std::int64_t column, double dt, bool cools
     };
     const auto diffuse_one = [&](double* velocity) {
         momentum(velocity, values);
-        solve(density);
+        solve(density, {coupling, coupling});
         take_over(velocity, values);
     };
     const Boundaries& ends = setup_.boundaries;
@@ -224,7 +225,7 @@ void Evolution::cool_and_diffuse_once(std::int64_t column, double dt, bool cools
         double* values_y = axial;
         momentum(velocity_x, values);
         momentum(velocity_y, values_y);
-        solve_diffusion(nz, density, coupling, std::array{values, values_y}, ratio);
+        solve_diffusion(nz, density, Couplings{coupling, coupling}, std::array{values, values_y}, ratio);
         take_over(velocity_x, values);
         take_over(velocity_y, values_y);
     } else {
@@ -241,39 +242,48 @@ void Evolution::cool_and_diffuse_once(std::int64_t column, double dt, bool cools
         values[i] = 1.5 * density[i] * temperature[i] + heat[i];
         capacity[i] = 1.5 * density[i];
     }
+    double *up = coupling, *down = coupling;
+    if (kernels_.density_drives_heat) {
+        up = work.row(1);
+        down = work.row(2);
+        const auto cell = [&](std::int64_t i) {
+            return HeatCell{density[i], temperature[i], reduced.density_conductivity[i]};
+        };
+        for (std::int64_t f = ring ? 0 : 1; f < nz; ++f) {
+            const HeatCouplings at = heat_couplings(cell(f > 0 ? f - 1 : nz - 1), cell(f), coupling[f], scale);
+            up[f] = at.up;
+            down[f] = at.down;
+        }
+        // A heated wall gives what the gradient beside it drives; through any other wall no heat passes.
+        const auto wall = [&](std::int64_t at, std::int64_t next, double wall_temperature) {
+            const double n = density[at], straight = 2.0 * n - density[next];
+            const double beyond = larger(0.5 * n, smaller(straight, 1.5 * n));
+            return HeatCell{beyond, wall_temperature, reduced.density_conductivity[at] * (n / beyond)};
+        };
+        if (ring) {
+            up[nz] = up[0];
+            down[nz] = down[0];
+        } else {
+            HeatCouplings lower{coupling[0], coupling[0]}, upper{coupling[nz], coupling[nz]};
+            if (lower_temperature > 0.0)
+                lower = heat_couplings(wall(0, 1, lower_temperature), cell(0), coupling[0], scale);
+            if (upper_temperature > 0.0)
+                upper = heat_couplings(cell(nz - 1), wall(nz - 1, nz - 2, upper_temperature), coupling[nz], scale);
+            up[0] = lower.up;
+            down[0] = lower.down;
+            up[nz] = upper.up;
+            down[nz] = upper.down;
+        }
+    }
     if (!ring) {
-        values[0] += coupling[0] * lower_temperature;
-        values[nz - 1] += coupling[nz] * upper_temperature;
+        values[0] += up[0] * lower_temperature;
+        values[nz - 1] += down[nz] * upper_temperature;
     }
-    if (kernels_.density_drives_heat) add_heat_of_density_gradient(column, dt, reduced.density_conductivity, values);
-    solve(capacity);
+    solve(capacity, {up, down});
     if (!ring)
-        books.boundary_gain +=
-            dz * (coupling[0] * (lower_temperature - values[0]) + coupling[nz] * (upper_temperature - values[nz - 1]));
+        books.boundary_gain += dz * ((up[0] * lower_temperature - down[0] * values[0]) +
+                                     (down[nz] * upper_temperature - up[nz] * values[nz - 1]));
     for (std::int64_t i = 0; i < nz; ++i) temperature[i] = values[i];
-}
-
-// Explicit: the coefficient goes as T^(3/2)/n, and what passes a face in a step is kept below a tenth of the heat of
-// either cell, which binds only where the gas is too thin to matter.
-void Evolution::add_heat_of_density_gradient(std::int64_t column, double dt, const double* reduced,
-                                             double* heat) const {
-    const std::int64_t nz = grid().nz, first = grid().first(column);
-    const double* density = flow().density.data() + first;
-    const double* temperature = flow().temperature.data() + first;
-    const double scale = 0.5 * dt / (grid().dz * grid().dz);
-    const auto carried_from = [&](std::int64_t i, std::int64_t j) {  // to cell j, which lies above cell i
-        const double here = temperature[i] * std::sqrt(temperature[i]) * reduced[i];
-        const double next = temperature[j] * std::sqrt(temperature[j]) * reduced[j];
-        const double most = 0.15 * smaller(density[i] * temperature[i], density[j] * temperature[j]);
-        return std::clamp(scale * (here + next) * (density[i] - density[j]), -most, most);
-    };
-    const double around = setup_.boundaries.lower.end == End::periodic ? carried_from(nz - 1, 0) : 0.0;
-    double carried_below = around;
-    for (std::int64_t i = 0; i < nz; ++i) {
-        const double carried = i + 1 < nz ? carried_from(i, i + 1) : around;
-        heat[i] += carried_below - carried;
-        carried_below = carried;
-    }
 }
 
 }  // namespace shaken::continuum

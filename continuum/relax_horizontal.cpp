@@ -9,7 +9,8 @@
 // there as long as each piece also has its implicit diffusion along z: with a = D dt/dx^2 and b = D dt/dz^2 a piece
 // changes a disturbance by (1 - a + 2 sqrt(a b))/(1 + b) at most, and that is below one. Where coefficients are capped
 // b is no longer that of the same D, and the mixed ones are held below n dx dz/(4 dt): without it thin gas above a
-// falling crest was thrown about and took heat from nowhere.
+// falling crest was thrown about and took heat from nowhere. Heat along the density gradient is capped with conduction,
+// by the same factor.
 #include <algorithm>
 #include <cmath>
 
@@ -53,7 +54,6 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
     const double across = 1.0 / n.width, along = 0.25 / n.lateral_width, upward = 0.25 / dz;
     const double cap = n.share * n.width * n.width / dt;
     const double mixed_cap = n.share * n.width * dz / dt;
-    const double heat_cap = 0.15 * n.width / dt;
 #pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
         const double thinner = smaller(n.left.density[k], n.right.density[k]);
@@ -66,8 +66,8 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         const double most_mixed =
             mean_bulk + (4.0 / 3.0) * mean_shear <= most ? most : smaller(most, mixed_cap * thinner);
         const double mixed_shear = smaller(mean_shear, most_mixed), mixed_bulk = smaller(mean_bulk, most_mixed);
-        const double conductivity =
-            smaller(left * n.left.conductivity[k] + right * n.right.conductivity[k], 1.5 * most);
+        const double mean_conductivity = left * n.left.conductivity[k] + right * n.right.conductivity[k];
+        const double conductivity = smaller(mean_conductivity, 1.5 * most);
 
         const double normal_across = across * (n.right.normal[k] - n.left.normal[k]);
         const double lateral_across = across * (n.right.lateral[k] - n.left.lateral[k]);
@@ -81,13 +81,13 @@ void stresses_between(const Neighbourhood& at, double dz, double dt, std::int64_
         const double vertical_upward = upward * ((n.left.vertical[k + 1] - n.left.vertical[k - 1]) +
                                                  (n.right.vertical[k + 1] - n.right.vertical[k - 1]));
 
-        // Heat along the density gradient, at most a tenth of the poorer cell's a step.
-        const double heat_limit =
-            heat_cap * smaller(n.left.density[k] * n.left.temperature[k], n.right.density[k] * n.right.temperature[k]);
-        const double density_wanted = (left * n.left.temperature[k] * n.left.density_conductivity[k] +
-                                       right * n.right.temperature[k] * n.right.density_conductivity[k]) *
-                                      (across * (n.right.density[k] - n.left.density[k]));
-        const double density_heat = smaller(larger(density_wanted, -heat_limit), heat_limit);
+        // Heat along the density gradient, as in heat_of_density.hpp; less of it where there is less conduction.
+        const double left_heat = left * n.left.temperature[k] * (n.left.density[k] * n.left.density_conductivity[k]);
+        const double right_heat =
+            right * n.right.temperature[k] * (n.right.density[k] * n.right.density_conductivity[k]);
+        const double jump = 2.0 * (n.right.density[k] - n.left.density[k]);
+        const double density_heat = (left_heat + right_heat) * (across * jump) *
+                                    (conductivity / (mean_conductivity * (n.right.density[k] + n.left.density[k])));
 
         const double stress_normal = axial * normal_across + (bulk - (2.0 / 3.0) * shear) * lateral_along +
                                      (mixed_bulk - (2.0 / 3.0) * mixed_shear) * vertical_upward;

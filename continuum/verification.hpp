@@ -9,10 +9,11 @@
 
 namespace shaken::continuum {
 
-/// One number beside what it should be.
+/// One number beside what it should be, where that is known.
 struct Checked {
     std::string name;
     double computed = 0.0, exact = 0.0;
+    std::string why_no_exact = {};  // empty where it is known
     double relative_error() const { return exact != 0.0 ? computed / exact - 1.0 : computed; }
 };
 

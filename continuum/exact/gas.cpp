@@ -48,11 +48,4 @@ double isothermal_volume_fraction(const EquationOfState& state, double bottom, d
     return nu;
 }
 
-double heated_layer_temperature(double bottom_temperature, double number_per_area, double restitution,
-                                double weight_above) {
-    const double a = std::sqrt(64.0 * std::numbers::pi * (1.0 - restitution * restitution) / 75.0);
-    const double ratio = std::cyl_bessel_i(0.0, a * weight_above) / std::cyl_bessel_i(0.0, a * number_per_area);
-    return bottom_temperature * ratio * ratio;
-}
-
 }  // namespace shaken::continuum::exact

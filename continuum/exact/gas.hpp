@@ -24,10 +24,4 @@ double sound_attenuation(double density, const Transport& transport, double spec
 double isothermal_volume_fraction(const EquationOfState& state, double bottom, double temperature, double height,
                                   int steps = 2000);
 
-/// Temperature of a dilute layer at rest under unit gravity on a heated bottom, where the weight above is p (particles
-/// per area): sqrt(T(p)) = sqrt(T_b) I0(a p)/I0(a p_b), a^2 = 64 pi (1 - e^2)/75 (from p = n T, kappa and gamma of
-/// Jenkins & Richman 1985 at G -> 0).
-double heated_layer_temperature(double bottom_temperature, double number_per_area, double restitution,
-                                double weight_above);
-
 }  // namespace shaken::continuum::exact
