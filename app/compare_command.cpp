@@ -10,6 +10,7 @@
 #include <stdexcept>
 
 #include "app/child_process.hpp"
+#include "app/continuum_notes.hpp"
 #include "app/exit_codes.hpp"
 #include "compare/compare_file.hpp"
 #include "compare/medium.hpp"
@@ -87,6 +88,11 @@ compare::Cost continuum_cost(const files::Hdf5File& file, const scene::Scene& sc
     return cost;
 }
 
+/// Of files that an earlier version wrote there are none.
+Notes notes_of(const files::Hdf5File& file) {
+    return file.has("/run/notes") ? parted(file.read_text("/run/notes")) : Notes{};
+}
+
 scene::Scene scene_of(const files::Hdf5File& file, const std::filesystem::path& path) {
     return scene::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
 }
@@ -133,6 +139,7 @@ void print_summary(const nlohmann::ordered_json& summary) {
     print_number(summary, "z_cm rms difference, percent", "zcm_rms_percent");
     print_number(summary, "  with the floor half a diameter up", "zcm_rms_percent_half_diameter");
     print_number(summary, "shock location rms difference, sigma", "shock_location_rms");
+    for (const auto& note : summary.at("continuum").at("notes")) fmt::print("note: {}\n", note.get<std::string>());
 }
 
 }  // namespace
@@ -174,6 +181,7 @@ int run_compare(const CompareOptions& options) {
     compare::write_compare_file(aside, md, continuum, medium, {scene::print_scene(scene), scene.md.seed, ""});
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
+    summary["continuum"]["notes"] = notes_of(continuum_file);
     for (const std::filesystem::path& md_folder : md_folders)
         summary["runs"]["md"].push_back(std::filesystem::absolute(md_folder).lexically_normal().string());
     summary["runs"]["continuum"] = std::filesystem::absolute(continuum_folder).lexically_normal().string();

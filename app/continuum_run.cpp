@@ -111,6 +111,8 @@ void ContinuumRun::restore(const files::CheckpointReader& in) {
     }
 }
 
+Notes ContinuumRun::notes() const { return notes_of_scene(scene_); }
+
 void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {
     const std::filesystem::path aside = path.string() + ".part";
     files::Hdf5File file(aside, files::Open::create);
@@ -133,6 +135,7 @@ void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, 
     file.make_group("/run");
     file.attribute("/run", "wall_seconds", spent.wall);
     file.attribute("/run", "cpu_seconds", spent.cpu);
+    file.write_text("/run/notes", joined(notes()));
     file.close();
     std::filesystem::rename(aside, path);
     frames.write_xdmf();

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/continuum_notes.hpp"
 #include "app/engine_loop.hpp"
 #include "compare/continuum_sampler.hpp"
 #include "continuum/solver.hpp"
@@ -40,6 +41,7 @@ class ContinuumRun {
     void write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const;
     std::uint64_t state_hash() const { return solver_.state_hash(); }
     std::int64_t steps() const { return solver_.steps(); }
+    Notes notes() const;
 
   private:
     ContinuumFrame frame() const;

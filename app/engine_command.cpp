@@ -45,6 +45,7 @@ void print_result(const UniformRun& run) {
 
 void print_result(const ContinuumRun& run) {
     fmt::print("continuum: {} steps, state {:016x}\n", run.steps(), run.state_hash());
+    for (const std::string& note : run.notes()) fmt::print("note: {}\n", note);
 }
 
 template <class Run>

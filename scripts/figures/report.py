@@ -21,6 +21,7 @@ table { border-collapse: collapse; width: 100%; font-size: 0.92rem; }
 th, td { border-bottom: 1px solid #ddd; padding: 0.35rem 0.6rem; text-align: left; vertical-align: top; }
 th { border-bottom: 2px solid #888; } td.number { font-variant-numeric: tabular-nums; white-space: nowrap; }
 .yes { color: #1b7837; } .no { color: #b2182b; font-weight: 600; }
+.notes { border-left: 4px solid #b2182b; background: #fdf3f1; padding: 0.5rem 1rem 0.5rem 2rem; }
 figure { margin: 1.5rem 0; } figure img { max-width: 100%; height: auto; display: block; margin: 0 auto; }
 figcaption, .small { font-size: 0.88rem; color: #555; }
 """
@@ -62,6 +63,7 @@ def page(run, images):
 <p>Lengths in particle diameters, times in (diameter/gravity)<sup>1/2</sup>. MD numbers carry one standard error (blocks of
 cycles left out in turn). A verdict (MD / continuum) is given only where a bound
 or a tolerance was stated beforehand.</p>
+{notes(run.summary)}
 <h2>Numbers</h2>
 {number_table(run.summary, references, run.is_of(references["scene"]))}
 <h2>Figures</h2>
@@ -95,6 +97,13 @@ def number_table(summary, references, judged):
     if judged:
         return table + origins(references)
     return table + '<p class="small">No reference is known for this scene. Phases above 1 belong to the next cycle.</p>'
+
+
+def notes(summary):
+    """What limits the continuum's numbers, before them."""
+    sentences = summary["continuum"].get("notes", [])
+    items = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
+    return f'<h2>What to know of this continuum</h2><ul class="notes">{items}</ul>' if items else ""
 
 
 def row(cells, verdicts):

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: MIT
+#include "app/continuum_notes.hpp"
+
+#include <fmt/format.h>
+
+#include <sstream>
+
+#include "continuum/initial_state.hpp"
+#include "plan/rules.hpp"
+
+namespace shaken::app {
+
+namespace {
+
+bool waves_fit(const scene::Scene& scene) { return plan::holds_pattern(scene) || plan::may_hold_pattern(scene); }
+
+std::string waves_that_fit(const scene::Scene& scene) {
+    return fmt::format("Waves some {:.3g} sigma long fit in the box of {:g} x {:g}", plan::pattern_wavelength(scene),
+                       scene.box.x, scene.box.y);
+}
+
+}  // namespace
+
+Notes notes_of_scene(const scene::Scene& scene) {
+    Notes notes;
+    if (scene.particles.friction.law != scene::FrictionLaw::none)
+        notes.emplace_back("The continuum has no friction: particles.friction acts in the MD alone.");
+    const bool even = !scene.initial.uneven();
+    if (scene.continuum.dimension.name == "auto" && even && waves_fit(scene))
+        notes.push_back(waves_that_fit(scene) +
+                        ", but continuum.dimension = \"auto\" takes one column, because the start is even: "
+                        "initial.noise (0.01, say) lets them grow.");
+    if (continuum::resolve_dimension(scene) > 1 && even && scene.initial.file.empty())
+        notes.emplace_back("All columns start equal and stay equal: initial.noise (0.01, say) lets waves grow.");
+    return notes;
+}
+
+std::string joined(const Notes& notes) {
+    std::string lines;
+    for (const std::string& note : notes) lines += note + "\n";
+    return lines;
+}
+
+Notes parted(const std::string& lines) {
+    Notes notes;
+    std::istringstream in(lines);
+    for (std::string note; std::getline(in, note);) notes.push_back(note);
+    return notes;
+}
+
+}  // namespace shaken::app

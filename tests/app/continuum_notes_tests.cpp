@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// What a continuum run says of itself, from the scene to the terminal and the file.
+#include "app/continuum_notes.hpp"
+
+#include <catch2/catch.hpp>
+
+#include "files/hdf5.hpp"
+#include "scene/read_scene.hpp"
+#include "tests/support/command.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+using Catch::Matchers::Contains;
+using shaken::app::Notes;
+
+namespace {
+
+const std::string stripes = SHAKEN_SOURCE_DIR "/data/scenes/ch5_stripes.toml";
+
+Notes notes_with(std::vector<std::string> changes) {
+    changes.insert(changes.begin(), {"particles.number=2400", "box.x=40", "box.y=10"});
+    return shaken::app::notes_of_scene(shaken::scene::read_scene(stripes, changes));
+}
+
+}  // namespace
+
+TEST_CASE("a continuum that takes one column where waves fit says so, with the key that lets them grow") {
+    // H = 5.4, f* = 0.4: lambda = H (1 + 1.1 f*^-1.32).
+    const Notes notes = notes_with({"initial.noise=0", "plate.frequency_star=0.4", "continuum.dimension=auto"});
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], Contains("Waves some 25.3 sigma long fit in the box of 40 x 10") && Contains("one column") &&
+                             Contains("initial.noise"));
+    CHECK(notes_with({"initial.noise=0.01", "continuum.dimension=auto"}).empty());
+    CHECK(notes_with({"initial.noise=0", "continuum.dimension=1"}).empty());
+    const Notes equal = notes_with({"initial.noise=0", "continuum.dimension=2"});
+    REQUIRE(equal.size() == 1);
+    CHECK_THAT(equal[0], Contains("All columns start equal"));
+    // 8 wide is 0.33 of the wave: none fits.
+    CHECK(notes_with({"initial.noise=0", "continuum.dimension=auto", "particles.number=384", "box.x=8", "box.y=8"})
+              .empty());
+}
+
+TEST_CASE("a frictional scene says that its continuum has none") {
+    const std::string friction = "particles.friction={law=\"walton\",beta0=0.35,mu=0.5}";
+    const Notes notes = notes_with({"continuum.dimension=1", friction});
+    REQUIRE(notes.size() == 1);
+    CHECK_THAT(notes[0], Contains("no friction") && Contains("particles.friction"));
+
+    const support::TemporaryFolder folder;
+    const auto run = [&](const std::string& more, const std::string& to) {
+        const auto result = support::shaken(
+            "continuum -q " + stripes +
+            " --set continuum.dimension=1 --set sample.settle=0 --set sample.average=1 --set sample.phases=20" + more +
+            " --out " + (folder / to).string());
+        REQUIRE(result.code == 0);
+        const shaken::files::Hdf5File file(folder / to / "continuum.h5", shaken::files::Open::read);
+        return std::pair(result.text, shaken::app::parted(file.read_text("/run/notes")));
+    };
+    const auto [terminal, in_file] = run(" --set '" + friction + "'", "friction");
+    CHECK_THAT(terminal, Contains("note: " + notes[0]));
+    REQUIRE_FALSE(in_file.empty());
+    CHECK(in_file[0] == notes[0]);
+    for (const std::string& note : run("", "smooth").second) CHECK_THAT(note, !Contains("friction"));
+}
