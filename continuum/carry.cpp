@@ -8,6 +8,7 @@
 #include "continuum/boundary/fill_ghosts.hpp"
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
+#include "continuum/sum_in_lanes.hpp"
 
 namespace shaken::continuum {
 
@@ -142,8 +143,10 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
                  *momentum_y = rates_.momentum_y.data() + first, *momentum_z = rates_.momentum_z.data() + first,
                  *energy = rates_.energy.data() + first, *internal = rates_.internal.data() + first,
                  *jump = rates_.jump.data() + first;
-    double work = 0.0, corrected = 0.0, floored = 0.0, unsound = 0.0;
-#pragma omp simd reduction(+ : work, corrected, floored, unsound)
+    Workspace& rows = work_[thread()];
+    double *__restrict work = rows.row(0), *__restrict corrected = rows.row(1), *__restrict floored = rows.row(2);
+    double unsound = 0.0;  // whole numbers: any order gives the same sum
+#pragma omp simd reduction(+ : unsound)
     for (std::int64_t i = 0; i < nz; ++i) {
         const double n0 = base_density[i], x0 = base_x[i], y0 = base_y[i], z0 = base_z[i];
         const double heat0 = 1.5 * base_temperature[i];
@@ -168,9 +171,9 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
 
         const bool admissible =
             (new_density > 0.0) & (new_density < packing) & (std::abs(v_z) < 1e100) & (kept < 1e100);
-        work -= weight;
-        corrected += chosen - left;
-        floored += kept - chosen;
+        work[i] = -weight;
+        corrected[i] = chosen - left;
+        floored[i] = kept - chosen;
         unsound += admissible ? 0.0 : 1.0;
         density[i] = new_density;
         u_x[i] = v_x;
@@ -187,15 +190,15 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
     const auto combine = [&](double Ledger::*entry, double rate) {
         books.*entry = start * (base.*entry) + previous * (books.*entry + dt * rate);
     };
-    combine(&Ledger::body_force_work, dz * work);
+    combine(&Ledger::body_force_work, dz * sum_in_lanes(work, nz));
     combine(&Ledger::boundary_gain, at(rates_.energy, -1) - at(rates_.energy, nz));
     combine(&Ledger::plate_impulse, at(rates_.momentum_z, -1));
     combine(&Ledger::lid_impulse, at(rates_.momentum_z, nz));
     combine(&Ledger::dual_energy_gain, 0.0);
     combine(&Ledger::floor_gain, 0.0);
     combine(&Ledger::collisional_loss, 0.0);
-    books.dual_energy_gain += dz * corrected;
-    books.floor_gain += dz * floored;
+    books.dual_energy_gain += dz * sum_in_lanes(corrected, nz);
+    books.floor_gain += dz * sum_in_lanes(floored, nz);
     return unsound == 0.0;
 }
 

@@ -10,6 +10,7 @@
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
 #include "continuum/heat_of_density.hpp"
+#include "continuum/sum_in_lanes.hpp"
 
 namespace shaken::continuum {
 
@@ -60,7 +61,7 @@ void Evolution::cool(std::int64_t column, double dt) {
     double* __restrict temperature = setup_.flow.temperature.data() + first;
     const double* rate = coefficients(column).cooling;
     const double floor = constants_.floor_temperature;
-    double lost = 0.0, floored = 0.0;
+    double *__restrict lost = work_[thread()].row(0), *__restrict floored = work_[thread()].row(1);
     // d(T^(-1/2))/dt = rate D / 2 while D stays the same: exact for constant restitution, and second order in dt with D
     // taken at the middle of the step for the others.
     const auto cooled = [](double t, double half_rate) {
@@ -69,17 +70,17 @@ void Evolution::cool(std::int64_t column, double dt) {
     };
     if (dissipation_.is_constant()) {
         const double half_step = 0.5 * dt * dissipation_.constant();
-#pragma omp simd reduction(+ : lost, floored)
+#pragma omp simd
         for (std::int64_t i = 0; i < nz; ++i) {
             const double new_temperature = cooled(temperature[i], half_step * rate[i]);
             const double kept = larger(floor, new_temperature);
-            lost += density[i] * (temperature[i] - new_temperature);
-            floored += density[i] * (kept - new_temperature);
+            lost[i] = density[i] * (temperature[i] - new_temperature);
+            floored[i] = density[i] * (kept - new_temperature);
             temperature[i] = kept;
         }
     } else {
         const double* table = dissipation_.table();
-#pragma omp simd reduction(+ : lost, floored)
+#pragma omp simd
         for (std::int64_t i = 0; i < nz; ++i) {
             const double t = temperature[i];
             const EffectiveDissipation::Local d = EffectiveDissipation::interpolate(table, t);
@@ -88,14 +89,14 @@ void Evolution::cool(std::int64_t column, double dt) {
             const double at_middle = larger(d.value - d.slope * (4.0 * x / (2.0 + x)), 0.0);
             const double new_temperature = cooled(t, (0.5 * dt * rate[i]) * at_middle);
             const double kept = larger(floor, new_temperature);
-            lost += density[i] * (t - new_temperature);
-            floored += density[i] * (kept - new_temperature);
+            lost[i] = density[i] * (t - new_temperature);
+            floored[i] = density[i] * (kept - new_temperature);
             temperature[i] = kept;
         }
     }
     Ledger& books = books_[static_cast<std::size_t>(column)];
-    books.collisional_loss += 1.5 * grid().dz * lost;
-    books.floor_gain += 1.5 * grid().dz * floored;
+    books.collisional_loss += 1.5 * grid().dz * sum_in_lanes(lost, nz);
+    books.floor_gain += 1.5 * grid().dz * sum_in_lanes(floored, nz);
 }
 
 // Cooling, then backward Euler, over the step and over its two halves, extrapolated (Richardson): second order in dt,

@@ -17,6 +17,7 @@
 #include "continuum/boundary/fill_ghosts.hpp"
 #include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
+#include "continuum/sum_in_lanes.hpp"
 
 namespace shaken::continuum {
 
@@ -277,8 +278,8 @@ void Evolution::apply_horizontal_stresses(std::int64_t column, double dt) {
                        *__restrict temperature = setup_.flow.temperature.data() + first;
     const double *momentum_x = rates_.momentum_x.data() + first, *momentum_y = rates_.momentum_y.data() + first,
                  *momentum_z = rates_.momentum_z.data() + first, *energy = rates_.energy.data() + first;
-    double corrected = 0.0, floored = 0.0;
-#pragma omp simd reduction(+ : corrected, floored)
+    double *__restrict corrected = work_[thread()].row(0), *__restrict floored = work_[thread()].row(1);
+#pragma omp simd
     for (std::int64_t k = 0; k < nz; ++k) {
         const double step = dt / density[k];
         const double change_x = step * momentum_x[k], change_y = step * momentum_y[k], change_z = step * momentum_z[k];
@@ -290,16 +291,16 @@ void Evolution::apply_horizontal_stresses(std::int64_t column, double dt) {
         const double wanted = temperature[k] + gained;
         const double chosen = larger(0.5 * temperature[k], wanted);
         const double kept = larger(floor, chosen);
-        corrected += density[k] * (chosen - wanted);
-        floored += density[k] * (kept - chosen);
+        corrected[k] = density[k] * (chosen - wanted);
+        floored[k] = density[k] * (kept - chosen);
         u_x[k] += change_x;
         u_y[k] += change_y;
         u_z[k] += change_z;
         temperature[k] = kept;
     }
     Ledger& books = books_[static_cast<std::size_t>(column)];
-    books.dual_energy_gain += 1.5 * grid().dz * corrected;
-    books.floor_gain += 1.5 * grid().dz * floored;
+    books.dual_energy_gain += 1.5 * grid().dz * sum_in_lanes(corrected, nz);
+    books.floor_gain += 1.5 * grid().dz * sum_in_lanes(floored, nz);
 }
 
 }  // namespace shaken::continuum
