@@ -53,7 +53,7 @@ std::vector<double> column_factors(const Grid& grid, const scene::Initial& initi
                              turn_y * (static_cast<double>(column / grid.nx) + 0.5);
         double& factor = factors[static_cast<std::size_t>(column)];
         factor =
-            1.0 + initial.noise * random.uniform(-1.0, 1.0) + initial.wave * std::cos(2.0 * std::numbers::pi * turns);
+            1.0 + initial.noise * random.uniform(-1.0, 1.0) + initial.wave * scene::sine_cosine_of_turns(turns).cosine;
         sum += factor;
     }
     for (double& factor : factors) factor *= static_cast<double>(factors.size()) / sum;
@@ -63,7 +63,7 @@ std::vector<double> column_factors(const Grid& grid, const scene::Initial& initi
 /// 1 inside the layer and exp(-(z - top)/T) above, as of a gas at rest, with the top lowered so that mass is kept.
 double share_below_soft_top(double z, double height, double temperature) {
     const double top = std::max(0.0, height - temperature);
-    return z < top ? 1.0 : std::exp((top - z) / temperature);
+    return z < top ? 1.0 : scene::exponential((top - z) / temperature);
 }
 
 /// The stored state on this grid, its mass made that of the scene.

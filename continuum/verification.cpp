@@ -151,10 +151,10 @@ Case column(const scene::Scene& scene) {
     }
     const double heat = *scene.tube.wall_temperature, number = scene.tube.number_per_area;
     setup.boundaries.lower.temperature = heat;
-    const double lightest = std::exp(-scene.tube.length / t);
+    const double lightest = scene::exponential(-scene.tube.length / t);
     for (std::int64_t i = 0; i < setup.grid.nz; ++i) {
-        const double from = std::exp(-setup.grid.dz * static_cast<double>(i) / t);
-        const double to = std::exp(-setup.grid.dz * static_cast<double>(i + 1) / t);
+        const double from = scene::exponential(-setup.grid.dz * static_cast<double>(i) / t);
+        const double to = scene::exponential(-setup.grid.dz * static_cast<double>(i + 1) / t);
         put(setup, i, {sphere_volume * number * (from - to) / (setup.grid.dz * (1.0 - lightest)), 0.0, t});
     }
     c.why_no_exact = "the exact temperature is a function of the weight above";
@@ -171,7 +171,7 @@ Case wave(const scene::Scene& scene) {
     const double chi = state.pressure(gas.volume_fraction, 1.0) * sphere_volume / gas.volume_fraction;
     for (std::int64_t i = 0; i < setup.grid.nz; ++i) {
         const double crest =
-            scene.tube.amplitude * std::cos(2.0 * std::numbers::pi * setup.grid.centre(i) / scene.tube.length);
+            scene.tube.amplitude * scene::sine_cosine_of_turns(setup.grid.centre(i) / scene.tube.length).cosine;
         put(setup, i,
             {gas.volume_fraction * (1.0 + crest), speed * crest, gas.temperature * (1.0 + 2.0 / 3.0 * chi * crest)});
     }

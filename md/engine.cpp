@@ -23,7 +23,7 @@ double choose_shell(const Setup& setup) {
     double widest = 1.0;   // found by bench/md.md
     if (box.periodic_z) {  // in a dilute system 16 neighbours lie farther off: 8 phi r^3 of them within r
         const double per_volume = static_cast<double>(setup.start.position.size()) / (box.x * box.y * box.z);
-        widest = std::max(widest, 1.1 * std::cbrt(16.0 * 3.0 / (4.0 * std::numbers::pi * per_volume)) - 1.0);
+        widest = std::max(widest, 1.1 * scene::cube_root(16.0 * 3.0 / (4.0 * std::numbers::pi * per_volume)) - 1.0);
     }
     return std::min(setup.options.shell > 0.0 ? setup.options.shell : widest, allowed);
 }

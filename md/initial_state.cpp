@@ -240,7 +240,7 @@ Snapshot make_initial_state(const InitialState& state, const Box& box) {
     // Below this the lattice is lost while it is stirred; from there to freezing it would outlast the settling of a run.
     constexpr double lattice_lasts = 0.4, melts_at = 0.3;
     if (box.periodic_z && state.volume_fraction > lattice_lasts && state.volume_fraction <= theory::freezing)
-        disorder.melt(std::cbrt(melts_at / state.volume_fraction), random);
+        disorder.melt(scene::cube_root(melts_at / state.volume_fraction), random);
     disorder.stir(random);
     start.velocity = maxwell_velocities(state.particles, state.temperature, random);
     return start;

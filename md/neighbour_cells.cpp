@@ -36,7 +36,7 @@ NeighbourCells::NeighbourCells(const Box& box, double longest_reach, std::size_t
     double width = longest_reach + 2.0 * margin_;
     // In a dilute uniform system wider cells, of a few particles each, keep their number below that of the particles.
     if (box.periodic_z)
-        width = std::max(width, std::cbrt(4.0 * box.x * box.y * box.z / static_cast<double>(particles)));
+        width = std::max(width, scene::cube_root(4.0 * box.x * box.y * box.z / static_cast<double>(particles)));
     const auto tiled = [&](double length) {
         const auto count = std::max(1, static_cast<std::int32_t>(std::floor(length / width)));
         return Axis{static_cast<float>(length), count / length, count};

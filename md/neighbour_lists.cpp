@@ -33,7 +33,7 @@ NeighbourLists::NeighbourLists(const Box& box, double widest, std::size_t partic
 /// Half shell at which the list would have the wanted length, going by its present one; at most a quarter at a time.
 float NeighbourLists::adapted(float half_shell, std::size_t neighbours) const {
     const double reach = 1.0 + 2.0 * static_cast<double>(half_shell);
-    const double ratio = std::cbrt(wanted_neighbours / std::max(1.0, static_cast<double>(neighbours)));
+    const double ratio = scene::cube_root(wanted_neighbours / std::max(1.0, static_cast<double>(neighbours)));
     const double half = 0.5 * (reach * std::clamp(ratio, 0.8, 1.25) - 1.0);
     return static_cast<float>(std::clamp(half, 0.1 * widest_, 0.5 * widest_));
 }

@@ -76,8 +76,9 @@ double next_sign_change(const scene::PlateMotion& plate, double t) {
     const double period = plate.period();
     const double cycle_start = std::floor(t / period) * period;
     const double omega = plate.angular_frequency();
-    const double angle =
-        plate.peak_acceleration() > 1.0 ? std::acos(-1.0 / plate.peak_acceleration()) : std::numbers::pi;
+    const double angle = plate.peak_acceleration() > 1.0
+                             ? 0.5 * std::numbers::pi + scene::arc_sine(1.0 / plate.peak_acceleration())
+                             : std::numbers::pi;
     for (const double turn : {angle, 2.0 * std::numbers::pi - angle})
         if (cycle_start + turn / omega > t) return cycle_start + turn / omega;
     return cycle_start + period > t ? cycle_start + period : cycle_start + 2.0 * period;

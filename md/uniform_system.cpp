@@ -7,7 +7,7 @@
 namespace shaken::md {
 
 double UniformSystem::box_length() const {
-    return std::cbrt(static_cast<double>(particles) * std::numbers::pi / (6.0 * volume_fraction));
+    return scene::cube_root(static_cast<double>(particles) * std::numbers::pi / (6.0 * volume_fraction));
 }
 
 }  // namespace shaken::md

@@ -3,8 +3,9 @@
 // Units: length sigma, time sqrt(sigma/g), so accelerations are in g.
 #pragma once
 
-#include <cmath>
 #include <numbers>
+
+#include "scene/elementary.hpp"
 
 namespace shaken::scene {
 
@@ -22,9 +23,11 @@ struct PlateMotion {
     double period() const { return 1.0 / frequency; }
     double peak_acceleration() const { return amplitude * angular_frequency() * angular_frequency(); }
 
-    double position(double t) const { return amplitude * (1.0 - std::cos(angular_frequency() * t)); }
-    double velocity(double t) const { return amplitude * angular_frequency() * std::sin(angular_frequency() * t); }
-    double acceleration(double t) const { return peak_acceleration() * std::cos(angular_frequency() * t); }
+    double position(double t) const { return amplitude * (1.0 - sine_cosine_of_turns(frequency * t).cosine); }
+    double velocity(double t) const {
+        return amplitude * angular_frequency() * sine_cosine_of_turns(frequency * t).sine;
+    }
+    double acceleration(double t) const { return peak_acceleration() * sine_cosine_of_turns(frequency * t).cosine; }
 };
 
 }  // namespace shaken::scene

@@ -5,8 +5,9 @@
 
 #include <cmath>
 #include <cstdint>
-#include <numbers>
 #include <random>
+
+#include "scene/elementary.hpp"
 
 namespace shaken::scene {
 
@@ -21,8 +22,8 @@ class RandomStream {
     std::size_t index(std::size_t count) { return static_cast<std::size_t>(uniform() * static_cast<double>(count)); }
     /// Mean 0, variance 1 (Box and Muller 1958).
     double normal() {
-        const double radius = std::sqrt(-2.0 * std::log1p(-uniform()));
-        return radius * std::cos(2.0 * std::numbers::pi * uniform());
+        const double radius = std::sqrt(-2.0 * natural_logarithm(1.0 - uniform()));
+        return radius * sine_cosine_of_turns(uniform()).cosine;
     }
 
   private:

@@ -68,7 +68,7 @@ class Resolver {
                  fmt::format("{:.3g} particles cannot be a gas in a box; allowed: 2 to 1e9", wanted));
         }
         s_.number_of_particles = std::llround(wanted);
-        const double side = std::cbrt(static_cast<double>(s_.number_of_particles) * volume_of_one);
+        const double side = cube_root(static_cast<double>(s_.number_of_particles) * volume_of_one);
         s_.box = {side, side, side};
         const auto intervals = [&](const char* key, double time) {
             const double count = time / u.interval, whole = std::nearbyint(count);

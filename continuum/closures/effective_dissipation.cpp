@@ -17,10 +17,11 @@ double integral(const Integrand& f, double from, double to) {
     double sum = 0.0;
     for (int i = -points; i <= points; ++i) {
         const double s = i * step;
-        const double inner = 1.5707963267948966 * std::sinh(s);
-        const double weight = 1.5707963267948966 * std::cosh(s) / (std::cosh(inner) * std::cosh(inner));
-        if (weight < 1e-300) continue;
-        sum += weight * f(middle + half * std::tanh(inner));
+        const double grown = scene::exponential(s), shrunk = 1.0 / grown;
+        const double inner = 0.78539816339744831 * (grown - shrunk);  // pi/2 sinh s
+        const double square = scene::exponential(2.0 * inner);
+        const double weight = 3.1415926535897932 * (grown + shrunk) * square / ((square + 1.0) * (square + 1.0));
+        sum += weight * f(middle + half * (square - 1.0) / (square + 1.0));  // tanh(inner)
     }
     return half * step * sum;
 }
@@ -37,7 +38,7 @@ double effective_dissipation(const scene::Restitution& law, double temperature) 
     const double root_t = std::sqrt(temperature);
     const auto lost = [&](double v) {  // v in sqrt(T)
         const double e = std::visit([&](const auto& l) { return l(v * root_t); }, law);
-        return (1.0 - e * e) * v * v * v * std::exp(-0.25 * v * v);
+        return (1.0 - e * e) * v * v * v * scene::exponential(-0.25 * v * v);
     };
     constexpr double beyond = 40.0;  // exp(-400) of the Maxwellian lies above
     const double kink = std::min(kink_of(law) / root_t, beyond);
@@ -55,7 +56,8 @@ EffectiveDissipation::EffectiveDissipation(const scene::Restitution& law) {
     }
     const int count = static_cast<int>((highest - lowest) * per_octave) + 1;
     table_.reserve(static_cast<std::size_t>(count));
-    for (int i = 0; i < count; ++i) table_.push_back(effective_dissipation(law, std::exp2(lowest + i / per_octave)));
+    for (int i = 0; i < count; ++i)
+        table_.push_back(effective_dissipation(law, scene::fast_exp2(lowest + i / per_octave)));
     constant_ = table_.back();
 }
 

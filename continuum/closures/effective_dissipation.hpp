@@ -8,7 +8,7 @@
 #include <cstdint>
 #include <vector>
 
-#include "continuum/closures/fast_power.hpp"
+#include "scene/elementary.hpp"
 #include "scene/restitution.hpp"
 #include "scene/scene.hpp"
 
@@ -36,7 +36,7 @@ class EffectiveDissipation {
         double slope;  // dD/d(ln T)
     };
     [[gnu::always_inline]] static Local interpolate(const double* table, double temperature) {
-        double place = (fast_log2(temperature) - lowest) * per_octave;
+        double place = (scene::fast_log2(temperature) - lowest) * per_octave;
         place = place > 1.0 ? place : 1.0;
         place = place < last ? place : last;
         const std::int32_t i = static_cast<std::int32_t>(place);

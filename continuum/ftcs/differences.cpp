@@ -103,7 +103,7 @@ void Ftcs::difference(std::int64_t c, double gravity, double dt) {
             for (std::size_t j = 0; j < 3; ++j) strain += 0.25 * (d[i][j] + d[j][i]) * (d[i][j] + d[j][i]);
 
         const auto at = static_cast<std::size_t>(first + k);
-        const double fade = artificial * std::exp(-200.0 * sphere_volume * n);
+        const double fade = artificial * scene::exponential(-200.0 * sphere_volume * n);
         std::vector<double>* const out[3] = {&next_.velocity_x, &next_.velocity_y, &next_.velocity_z};
         for (std::size_t i = 0; i < 3; ++i) {
             const double laplacian = dd[i][0] + dd[i][1] + dd[i][2];

@@ -289,7 +289,7 @@ double Ftcs::unstable_share(double dt) const {
         for (std::int64_t k = 0; k < nodes_.nz; ++k) {
             const auto i = static_cast<std::size_t>(nodes_.first(c) + k);
             const double n = now_.density[i], temperature = now_.temperature[i];
-            const double fade = artificial * std::exp(-200.0 * sphere_volume * n);
+            const double fade = artificial * scene::exponential(-200.0 * sphere_volume * n);
             const double viscous = (bulk_[i] + (4.0 / 3.0) * shear_[i]) / n + fade;
             const double thermal = (2.0 / 3.0) * conductivity_[i] / n + fade;
             const double adiabatic = sound_[i] * sound_[i], chi = pressure_[i] / (n * temperature);
