@@ -2,14 +2,13 @@
 // What a continuum run says of itself, from the scene to the terminal and the file.
 #include "app/continuum_notes.hpp"
 
-#include <catch2/catch.hpp>
-
 #include "files/hdf5.hpp"
 #include "scene/read_scene.hpp"
+#include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using Catch::Matchers::Contains;
+using Contains;
 using shaken::app::Notes;
 
 namespace {
