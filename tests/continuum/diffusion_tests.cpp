@@ -8,6 +8,7 @@
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
 #include "continuum/diffusion_solve.hpp"
+#include "continuum/heat_of_density.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -78,6 +79,28 @@ TEST_CASE("what passes faces up and down at different rates is solved, kept and 
             given += right[i];
         }
         CHECK(kept == Approx(given).epsilon(1e-12));  // no face loses anything: round-off
+    }
+}
+
+TEST_CASE("the couplings of a face carry its heat, are never negative, and turn with the column") {
+    std::mt19937_64 engine(9);
+    for (int trial = 0; trial < 200; ++trial) {
+        const auto any = [&](double decades) { return std::pow(10.0, decades * (uniform(engine) - 0.5)); };
+        const HeatCell below{any(8.0), any(4.0), any(4.0)}, above{any(8.0), any(4.0), any(4.0)};
+        const double conduction = any(4.0), scale = any(2.0);
+        const HeatCouplings at = heat_couplings(below, above, conduction, scale);
+        CHECK(at.up >= 0.0);
+        CHECK(at.down >= 0.0);
+        const auto part = [&](const HeatCell& cell) {
+            return scale * cell.density * cell.density_conductivity * std::pow(cell.temperature, 1.5);
+        };
+        const double jump = (below.density - above.density) / (0.5 * (below.density + above.density));
+        const double flux = conduction * (below.temperature - above.temperature) + jump * (part(below) + part(above));
+        const double up = at.up * below.temperature, down = at.down * above.temperature;
+        CHECK(up - down == Approx(flux).margin(1e-14 * (up + down)));  // round-off of the two that cancel
+        const HeatCouplings turned = heat_couplings(above, below, conduction, scale);
+        CHECK(turned.up == at.down);
+        CHECK(turned.down == at.up);
     }
 }
 

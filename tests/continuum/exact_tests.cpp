@@ -193,8 +193,9 @@ TEST_CASE("heat along the density gradient warms the top of a dilute layer, by t
     const auto at = [](const Verification& of, double height) {
         return of.temperature[static_cast<std::size_t>(height / 120.0)] / 1000.0;
     };
-    // Truncation: cells of 120 where T falls by a tenth over 500; not quite dilute (nu = 5e-4), as above.
-    CHECK(v.numbers[1].computed < 2e-2);
+    // Truncation of cells of 120 at the wall, and not quite dilute (nu = 5e-4): 0.0028; 0.0070 where the wall gives no
+    // heat along the density gradient.
+    CHECK(v.numbers[1].computed < 4e-3);
     CHECK(at(v, 6300.0) == Approx(1.52).epsilon(1e-2));
     CHECK(at(fine, 6300.0) == Approx(at(v, 6300.0)).epsilon(5e-3));
 }
