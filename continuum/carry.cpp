@@ -94,8 +94,8 @@ void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first
     }
     const FaceArrays faces = work.faces(0);
     sweep(stencil, faces, nz + 1, constants_);
-    if (setup_.boundaries.lower.end == End::wall) close_face(faces, 0, kernels_.wall(stencil, constants_));
-    if (setup_.boundaries.upper.end == End::wall) close_face(faces, nz, stress_below_wall(stencil, nz));
+    if (reflects(setup_.boundaries.lower.end)) close_face(faces, 0, kernels_.wall(stencil, constants_));
+    if (reflects(setup_.boundaries.upper.end)) close_face(faces, nz, stress_below_wall(stencil, nz));
     add_rates(column, faces, faces.shifted(1), Direction::z, grid().dz, first_sweep);
     // What passes the ends, for the books: kept in the ghosts of the rates until the update.
     rates_.momentum_z[static_cast<std::size_t>(first - 1)] = faces.normal[0];

@@ -142,7 +142,8 @@ void Evolution::relax_horizontally(double dt) {
         Workspace& work = work_[thread()];
 #pragma omp for schedule(static)
         for (std::int64_t column = 0; column < columns; ++column) {
-            fill_ghosts(setup_.flow, grid().first(column), nz, setup_.boundaries, constants_.packing_density);
+            fill_ghosts_of_stresses(setup_.flow, grid().first(column), nz, setup_.boundaries,
+                                    constants_.packing_density);
             const double* temperature = flow().temperature.data() + grid().first(column);
             double* thermal_speed = thermal_speed_.data() + grid().first(column);
 #pragma omp simd
@@ -236,15 +237,16 @@ void Evolution::horizontal_stresses(std::int64_t column, double dt, Workspace& w
     if (setup_.boundaries.lower.end == End::periodic) {
         stress_between(nz - 1, 0);
         for (double* row : {face.normal, face.lateral, face.vertical, face.energy}) row[nz] = row[0];
-    } else {  // no shear and no work, the normal stress of the cell beside the end
+    } else {  // no shear and no work, the normal stress of the cell beside the end if the end bears one
         for (const std::int64_t f : {std::int64_t{0}, nz}) {
             const std::int64_t cell = f == 0 ? 0 : nz - 1;
+            const End end = f == 0 ? setup_.boundaries.lower.end : setup_.boundaries.upper.end;
             const double speed = here.thermal_speed[cell];
             const double bulk = speed * here.bulk[cell], shear = speed * here.shear[cell];
             const double most = most_mixed(here.density[cell], bulk, shear);
             const double coefficient = smaller(bulk, most) - (2.0 / 3.0) * smaller(shear, most);
             face.normal[f] = face.lateral[f] = face.energy[f] = 0.0;
-            face.vertical[f] = coefficient * divergence[cell];
+            face.vertical[f] = end == End::stress_free ? 0.0 : coefficient * divergence[cell];
         }
         Ledger& books = books_[static_cast<std::size_t>(column)];
         books.plate_impulse -= dt * face.vertical[0];

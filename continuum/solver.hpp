@@ -32,7 +32,7 @@ struct Ledger {
     double dual_energy_gain = 0.0;  // difference where the internal energy equation is trusted over the total energy
     double boundary_gain = 0.0;     // through heated walls and open ends
     double plate_impulse = 0.0;     // integral over time of the normal stress on the plate
-    double lid_impulse = 0.0;       // the same on the lid
+    double lid_impulse = 0.0;       // the same on the upper end
 };
 
 class Solver {

@@ -157,9 +157,12 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
                       fractions);
     v.number({"spacing", "sigma", "vertical grid spacing"}, s.continuum.spacing, {1e-4, 10.0});
     v.number({"spacing_horizontal", "sigma", "horizontal grid spacing"}, s.continuum.spacing_horizontal, {1e-3, 1e6});
-    v.number({"lid", "sigma", "height of the lid above the plate, with which it moves"}, s.continuum.lid, {2.0, 1e6});
-    describe_ends({"plate, or heated: a plate that gives and takes heat", "lid or heated"}, s.continuum.lower,
-                  s.continuum.upper, s.continuum.lower_temperature, s.continuum.upper_temperature, v);
+    v.number({"lid", "sigma", "height of the upper end above the plate, with which it moves"}, s.continuum.lid,
+             {2.0, 1e6});
+    describe_ends({"plate, or heated: a plate that gives and takes heat",
+                   "stress_free, lid or heated; without: stress_free, with scheme ftcs lid"},
+                  s.continuum.lower, s.continuum.upper, s.continuum.lower_temperature, s.continuum.upper_temperature,
+                  v);
     v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
     describe_finite_differences(s, v);
     v.number({"floor_density", "", "least density, relative to the mean density N/(x y lid)"},

@@ -28,12 +28,21 @@ inline void fill_ghosts(Flow& flow, std::int64_t first, std::int64_t cells, cons
     }
     const auto fill = [&](End end, std::int64_t cell, std::int64_t inward) {
         for (double* field : fields) fill_even(field + cell, inward);
-        if (end == End::open) return;
+        if (!reflects(end)) return;
         fill_odd(flow.velocity_z.data() + first + cell, inward);
         fill_density_at_wall(flow.density.data() + first + cell, inward, packing_density);
     };
     fill(boundaries.lower.end, 0, 1);
     fill(boundaries.upper.end, cells - 1, -1);
+}
+
+/// The same for the viscous stresses: across a stress-free end u_z goes on as it is, d u_z/dz = 0.
+inline void fill_ghosts_of_stresses(Flow& flow, std::int64_t first, std::int64_t cells, const Boundaries& boundaries,
+                                    double packing_density) {
+    fill_ghosts(flow, first, cells, boundaries, packing_density);
+    double* const velocity = flow.velocity_z.data() + first;
+    if (boundaries.lower.end == End::stress_free) fill_even(velocity, 1);
+    if (boundaries.upper.end == End::stress_free) fill_even(velocity + cells - 1, -1);
 }
 
 }  // namespace shaken::continuum

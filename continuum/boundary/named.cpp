@@ -18,8 +18,9 @@ struct Entry {
     End end;
 };
 
-constexpr std::array<Entry, 7> ends{{{"plate", End::wall},
+constexpr std::array<Entry, 8> ends{{{"plate", End::wall},
                                      {"lid", End::wall},
+                                     {"stress_free", End::stress_free},
                                      {"wall", End::wall},
                                      {"heated", End::wall},
                                      {"piston", End::wall},
@@ -46,7 +47,7 @@ Boundaries named_boundaries(const NamedEnd& lower, const NamedEnd& upper) {
 }
 
 std::vector<std::string> ends_below_layer() { return {"plate", "heated"}; }
-std::vector<std::string> ends_above_layer() { return {"lid", "heated"}; }
+std::vector<std::string> ends_above_layer() { return {"stress_free", "lid", "heated"}; }
 
 Boundaries boundaries_of_layer(const scene::Continuum& c) {
     return named_boundaries({"continuum.lower", c.lower, c.lower_temperature, ends_below_layer()},

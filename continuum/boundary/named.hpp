@@ -1,13 +1,15 @@
 // SPDX-License-Identifier: MIT
 // The ends of a column by name. All are walls in a frame that moves with the lower one, or no walls at all:
-//     name      what it is                                                    where
-//     plate     reflects; moves with the plate of the scene                   below a layer
-//     lid       reflects; moves with the plate                                above a layer
-//     wall      reflects; at rest                                             tubes
-//     heated    reflects, and is at a given temperature; moves as the above   everywhere
-//     piston    reflects; moves into the gas at constant speed                below a tube
-//     open      nothing changes across it                                     tubes
-//     periodic  the other end                                                 tubes, both or none
+//     name         what it is                                                    where
+//     plate        reflects; moves with the plate of the scene                   below a layer
+//     stress_free  reflects, bears pressure but no viscous stress; moves so too  above a layer, unless scheme is ftcs
+//     lid          reflects; moves with the plate                                above a layer
+//     wall         reflects; at rest                                             tubes
+//     heated       reflects, and is at a given temperature; moves as the above   everywhere
+//     piston       reflects; moves into the gas at constant speed                below a tube
+//     open         nothing changes across it                                     tubes
+//     periodic     the other end                                                 tubes, both or none
+// Which one a layer gets that names none above it: scene/resolve.cpp.
 #pragma once
 
 #include <optional>

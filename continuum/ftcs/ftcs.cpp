@@ -40,6 +40,11 @@ void cells_to_nodes(const double* cell, double* node, std::int64_t cells) {
 Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
     if (setup_.choices.closure.name == JenkinsRichman::name) setup_.choices.closure.name = JenkinsRichmanDense::name;
     kernels_ = choose_kernels(setup_.choices);
+    if (setup_.boundaries.upper.end == End::stress_free)
+        throw scene::SceneError(setup_.choices.upper.place,
+                                "continuum.upper = \"stress_free\" is for finite volumes: the nodes of "
+                                "continuum.scheme = \"ftcs\" that lie in an end bear its whole stress; known with it: "
+                                "lid, heated");
     if (setup_.boundaries.lower.end != End::wall || setup_.boundaries.upper.end != End::wall)
         throw scene::SceneError(setup_.choices.scheme.place,
                                 "continuum.scheme = \"ftcs\" knows walls only, below and above");

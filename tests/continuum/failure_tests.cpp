@@ -40,6 +40,7 @@ scene::Scene coarse_layer() {
     scene.motion = scene::PlateMotion::from_acceleration(3.0, 0.095);
     scene.sample.phases = 20;
     scene.continuum.scheme.name = "ftcs";
+    scene.continuum.upper.name = "lid";
     scene.continuum.spacing = 0.4;
     return scene;
 }

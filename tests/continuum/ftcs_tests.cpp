@@ -164,6 +164,7 @@ TEST_CASE("ftcs carries the layer of chapter 4 through two cycles and its landin
         scene.motion = scene::PlateMotion::from_acceleration(3.0, 0.095);
         scene.sample.phases = 10;
         scene.continuum.scheme.name = scheme;
+        scene.continuum.upper.name = "lid";
         Solver solver(scene);
         std::vector<double> z;
         for (std::int64_t k = 1; k <= 20; ++k) {
@@ -191,4 +192,7 @@ TEST_CASE("ftcs refuses ends that it does not know") {
     Setup setup = cases::tube(32, length, End::periodic, End::periodic, [](double) { return cases::Point{0.2, 0, 1}; });
     setup.choices.scheme.name = "ftcs";
     CHECK_THROWS_AS(make_method(setup), scene::SceneError);
+    setup.boundaries.lower.end = End::wall;
+    setup.boundaries.upper.end = End::stress_free;
+    CHECK_THROWS_WITH(make_method(setup), Catch::Contains("stress_free") && Catch::Contains("known with it: lid"));
 }

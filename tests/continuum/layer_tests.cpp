@@ -159,6 +159,7 @@ TEST_CASE("the layer of chapter 4 becomes periodic and its centre of mass conver
     const auto heights = [](double spacing) {
         scene::Scene scene = chapter_4();
         scene.continuum.spacing = spacing;
+        scene.continuum.lid = 120.0;  // the lowest that its gas does not reach
         Solver solver(scene);
         std::vector<double> last, now;
         for (std::int64_t cycle = 8; cycle <= 9; ++cycle) {
