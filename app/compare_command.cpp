@@ -178,7 +178,8 @@ int run_compare(const CompareOptions& options) {
     const auto continuum = compare::measure(moments_of(continuum_file, options.first_cycle), scene.motion, medium);
     std::filesystem::create_directories(folder);
     const std::filesystem::path aside = folder / "compare.h5.part";
-    compare::write_compare_file(aside, md, continuum, medium, {scene::print_scene(scene), scene.md.seed, ""});
+    compare::write_compare_file(aside, md, continuum, medium,
+                                {continuum_file.read_text("/provenance/scene"), scene.md.seed, ""});
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
     summary["continuum"]["notes"] = notes_of(continuum_file);

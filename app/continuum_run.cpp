@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/frames.hpp"
+#include "continuum/resolve.hpp"
 #include "fields/field_file.hpp"
 #include "files/provenance.hpp"
 #include "scene/read_scene.hpp"
@@ -33,7 +34,7 @@ void for_each_cell(const continuum::Solver& solver, Visit visit) {
 }  // namespace
 
 ContinuumRun::ContinuumRun(const scene::Scene& scene)
-    : scene_(scene), solver_(scene), sampler_(scene), series_(columns), next_(solver_.phase()) {}
+    : scene_(continuum::resolve(scene)), solver_(scene_), sampler_(scene_), series_(columns), next_(solver_.phase()) {}
 
 bool ContinuumRun::advance_and_sample(const AskedToStop&) {
     const Instant now = instant_of(next_, scene_);

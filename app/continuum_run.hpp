@@ -23,6 +23,7 @@ struct ContinuumFrame {
 
 class ContinuumRun {
   public:
+    /// Throws scene::SceneError for a scene that cannot be resolved (continuum/resolve.hpp).
     explicit ContinuumRun(const scene::Scene& scene);
 
     std::string name() const { return "continuum"; }

@@ -16,6 +16,7 @@
 #include "app/uniform_run.hpp"
 #include "app/verification_run.hpp"
 #include "continuum/errors.hpp"
+#include "continuum/resolve.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
@@ -74,7 +75,9 @@ int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spe
 
 template <class Run>
 int start(const std::string& engine, const EngineOptions& options) {
-    const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+    scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+    // A child of `run` prints what its parent has printed, resolved for both engines.
+    if (engine == "continuum" || options.as_child) scene = continuum::resolve(std::move(scene));
     if (engine == "continuum" && (is_verification(scene.kind) || scene.kind == scene::Kind::uniform))
         return run_verification(scene, options);
     refuse_verification(scene, engine);

@@ -19,6 +19,7 @@
 #include "app/run_command.hpp"
 #include "app/swift_hohenberg_command.hpp"
 #include "continuum/names.hpp"
+#include "continuum/resolve.hpp"
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 #include "scene/errors.hpp"
@@ -272,7 +273,8 @@ int dispatch(int argc, char** argv) {
     if (*report) code = run_report(folder);
     if (*scene_command)
         fmt::print("{}", list_keys ? every_key()
-                                   : scene::print_scene(scene::read_scene(options.scene_file, options.overrides)));
+                                   : scene::print_scene(
+                                         continuum::resolve(scene::read_scene(options.scene_file, options.overrides))));
     return code;
 }
 

@@ -46,6 +46,7 @@ md::Snapshot restore_frame(const files::CheckpointReader& in, std::size_t number
 
 MdRun::MdRun(const scene::Scene& scene)
     : scene_(scene),
+      scene_text_(scene::print_scene(scene)),
       simulation_(scene, md_options_of(scene)),
       sampler_(scene),
       series_(columns),
@@ -80,7 +81,7 @@ bool MdRun::advance_to_end(const AskedToStop& asked_to_stop) {
 }
 
 void MdRun::save(files::CheckpointWriter& out, const Spent& spent) const {
-    out.put_text("scene", scene::print_scene(scene_));
+    out.put_text("scene", scene_text_);
     out.put_text("engine", name());
     out.put("next_sample", next_);
     out.put("spent", spent);
@@ -92,6 +93,7 @@ void MdRun::save(files::CheckpointWriter& out, const Spent& spent) const {
 }
 
 void MdRun::restore(const files::CheckpointReader& in) {
+    scene_text_ = in.take_text("scene");
     next_ = in.take_one<std::int64_t>("next_sample");
     simulation_.restore(in);
     sampler_.restore(in);
@@ -103,7 +105,7 @@ void MdRun::restore(const files::CheckpointReader& in) {
 void MdRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {
     const std::filesystem::path aside = path.string() + ".part";
     const md::Box box{scene_.box.x, scene_.box.y, scene_.box.ceiling, false, scene_.motion};
-    md::H5mdWriter writer(aside, box, {scene::print_scene(scene_), scene_.md.seed, parent});
+    md::H5mdWriter writer(aside, box, {scene_text_, scene_.md.seed, parent});
     std::vector<double> phases;
     for (const md::Snapshot& frame : frames_) {
         phases.push_back(frame.time_in_cycle / scene_.motion.period());

@@ -44,6 +44,7 @@ class MdRun {
 
   private:
     scene::Scene scene_;
+    std::string scene_text_;  // as printed when the run began
     md::Simulation simulation_;
     compare::MdSampler sampler_;
     fields::TimeSeries series_;

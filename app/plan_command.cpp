@@ -7,6 +7,7 @@
 
 #include "app/exit_codes.hpp"
 #include "app/options.hpp"
+#include "continuum/resolve.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "plan/proposal.hpp"
@@ -138,7 +139,7 @@ int run_plan(const PlanOptions& options) {
                             out.string()));
         const Proposal p = plan::propose(scene, wish);
         settings.insert(settings.end(), p.settings.begin(), p.settings.end());
-        const scene::Scene planned = scene::read_scene(options.scene_file, settings);
+        const scene::Scene planned = continuum::resolve(scene::read_scene(options.scene_file, settings));
         const std::string commands = commands_of(p, out);
         files::write_atomically(
             out, commented(fmt::format("{}\n{}", text_of(p), commands)) + "\n" + scene::print_scene(planned));

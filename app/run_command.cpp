@@ -20,6 +20,7 @@
 #include "app/run_folder.hpp"
 #include "app/signals.hpp"
 #include "app/verification_run.hpp"
+#include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
 #include "files/atomic_write.hpp"
 #include "scene/read_scene.hpp"
@@ -86,7 +87,7 @@ std::array<int, 2> wait_for(std::array<ChildProcess, 2>& children, const std::ar
 int run_both(const EngineOptions& options) {
     const std::filesystem::path folder = options.resume.empty() ? options.out : options.resume;
     if (options.resume.empty()) {
-        const scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+        const scene::Scene scene = continuum::resolve(scene::read_scene(options.scene_file, options.overrides));
         refuse_verification(scene, "run");
         refuse_uniform(scene, "run");
         // The hydrodynamics check their names and sizes here, before the MD begins in vain.

@@ -12,33 +12,13 @@
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_file.hpp"
 #include "continuum/kernels.hpp"
+#include "continuum/resolve.hpp"
 #include "scene/errors.hpp"
 #include "scene/random_stream.hpp"
 
 namespace shaken::continuum {
 
 namespace {
-
-Grid make_grid(const scene::Scene& scene) {
-    const int dimension = resolve_dimension(scene);
-    const scene::Continuum& c = scene.continuum;
-    const auto cells = [](double length, double spacing) {
-        return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::llround(length / spacing)));
-    };
-    Grid grid;
-    grid.nz = cells(c.lid, c.spacing);
-    grid.dz = c.lid / static_cast<double>(grid.nz);
-    const bool along_x = dimension == 3 || (dimension == 2 && scene.box.x >= scene.box.y);
-    const bool along_y = dimension == 3 || (dimension == 2 && !along_x);
-    grid.nx = along_x ? cells(scene.box.x, c.spacing_horizontal) : 1;
-    grid.ny = along_y ? cells(scene.box.y, c.spacing_horizontal) : 1;
-    grid.dx = scene.box.x / static_cast<double>(grid.nx);
-    grid.dy = scene.box.y / static_cast<double>(grid.ny);
-    if (grid.nz < 16)
-        throw scene::SceneError(
-            {}, fmt::format("continuum.lid / continuum.spacing gives {} cells; at least 16 are needed", grid.nz));
-    return grid;
-}
 
 /// One factor a column, mean 1: noise and one wave.
 std::vector<double> column_factors(const Grid& grid, const scene::Initial& initial) {
@@ -112,6 +92,27 @@ void fill_from_file(Setup& setup, const scene::Scene& scene, const std::vector<d
 
 }  // namespace
 
+Grid make_grid(const scene::Scene& scene) {
+    const int dimension = resolve_dimension(scene);
+    const scene::Continuum& c = scene.continuum;
+    const auto cells = [](double length, double spacing) {
+        return std::max<std::int64_t>(1, static_cast<std::int64_t>(std::llround(length / spacing)));
+    };
+    Grid grid;
+    grid.nz = cells(c.lid, c.spacing);
+    grid.dz = c.lid / static_cast<double>(grid.nz);
+    const bool along_x = dimension == 3 || (dimension == 2 && scene.box.x >= scene.box.y);
+    const bool along_y = dimension == 3 || (dimension == 2 && !along_x);
+    grid.nx = along_x ? cells(scene.box.x, c.spacing_horizontal) : 1;
+    grid.ny = along_y ? cells(scene.box.y, c.spacing_horizontal) : 1;
+    grid.dx = scene.box.x / static_cast<double>(grid.nx);
+    grid.dy = scene.box.y / static_cast<double>(grid.ny);
+    if (grid.nz < 16)
+        throw scene::SceneError(
+            {}, fmt::format("continuum.lid / continuum.spacing gives {} cells; at least 16 are needed", grid.nz));
+    return grid;
+}
+
 int resolve_dimension(const scene::Scene& scene) {
     const scene::Choice& choice = scene.continuum.dimension;
     if (choice.name == "1" || choice.name == "2" || choice.name == "3") return choice.name[0] - '0';
@@ -120,9 +121,10 @@ int resolve_dimension(const scene::Scene& scene) {
     return std::min(scene.box.x, scene.box.y) < 2.0 * scene.depth ? 2 : 3;
 }
 
-Setup make_setup(const scene::Scene& scene) {
-    if (scene.kind != scene::Kind::layer)
+Setup make_setup(const scene::Scene& given) {
+    if (given.kind != scene::Kind::layer)
         throw scene::SceneError({}, "a scene of this kind has no layer; it is run by: shaken continuum");
+    const scene::Scene scene = resolve(given);
     const Grid grid = make_grid(scene);
     Setup setup(grid);
     setup.choices = scene.continuum;

@@ -22,6 +22,7 @@
 #include "continuum/exact/riemann.hpp"
 #include "continuum/kernels.hpp"
 #include "continuum/method.hpp"
+#include "continuum/resolve.hpp"
 #include "scene/errors.hpp"
 
 namespace shaken::continuum {
@@ -382,7 +383,8 @@ void check_heated(const scene::Scene& scene, const Method& method, Verification&
 
 }  // namespace
 
-Verification verify(const scene::Scene& scene) {
+Verification verify(const scene::Scene& given) {
+    const scene::Scene scene = resolve(given);
     Case c = make_case(scene);
     Verification v;
     v.why_no_exact = c.why_no_exact;

@@ -49,8 +49,8 @@ constexpr Range packings{0.0, 0.74, true};
 void describe_continuum_choices(Scene& s, ParameterVisitor& v) {
     v.section("continuum", "granular hydrodynamics");
     v.choice({"scheme", "", "discretisation"}, s.continuum.scheme);
-    v.choice({"flux", "", "numerical flux"}, s.continuum.flux);
-    v.choice({"limiter", "", "slope limiter"}, s.continuum.limiter);
+    v.choice({"flux", "", "numerical flux (muscl, weno5)"}, s.continuum.flux);
+    v.choice({"limiter", "", "slope limiter (muscl)"}, s.continuum.limiter);
     v.choice({"closure", "", "transport coefficients"}, s.continuum.closure);
     v.choice({"pair_correlation", "", "pair correlation at contact"}, s.continuum.pair_correlation);
     v.choice({"transport", "", "\"navier_stokes\" or \"inviscid\""}, s.continuum.transport);
@@ -155,17 +155,21 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.choice({"dimension", "", "\"auto\", 1, 2 or 3"}, s.continuum.dimension);
     v.optional_number({"restitution", "", "a constant in place of the scene's law"}, s.continuum.restitution,
                       fractions);
-    v.number({"spacing", "sigma", "vertical grid spacing"}, s.continuum.spacing, {1e-4, 10.0});
-    v.number({"spacing_horizontal", "sigma", "horizontal grid spacing"}, s.continuum.spacing_horizontal, {1e-3, 1e6});
+    v.number({"spacing", "sigma", "vertical grid spacing; the nearest that divides the height"}, s.continuum.spacing,
+             {1e-4, 10.0});
+    v.number({"spacing_horizontal", "sigma", "horizontal grid spacing; the nearest that divides a side"},
+             s.continuum.spacing_horizontal, {1e-3, 1e6});
     v.number({"lid", "sigma", "height of the upper end above the plate, with which it moves"}, s.continuum.lid,
              {2.0, 1e6});
     describe_ends({"plate, or heated: a plate that gives and takes heat",
                    "stress_free, lid or heated; without: stress_free, with scheme ftcs lid"},
                   s.continuum.lower, s.continuum.upper, s.continuum.lower_temperature, s.continuum.upper_temperature,
                   v);
-    v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
+    v.number({"cfl", "", "Courant number of the acoustic step (muscl, weno5)"}, s.continuum.cfl, {0.0, 1.0, true});
     describe_finite_differences(s, v);
-    v.number({"floor_density", "", "least density, relative to the mean density N/(x y lid)"},
+    v.number({"floor_density", "",
+              "least density at the start, under ftcs at all times (1e-3 by default, and no less), relative to the "
+              "mean density N/(x y lid)"},
              s.continuum.floor_density, {0.0, 0.1, true});
     v.number({"floor_temperature", "g sigma", "least temperature"}, s.continuum.floor_temperature, {0.0, 1.0, true});
 }
@@ -257,7 +261,7 @@ void describe_tube(Scene& s, ParameterVisitor& v) {
     }
     describe_continuum_choices(s, v);
     v.number({"spacing", "sigma", "grid spacing"}, s.continuum.spacing, positive);
-    v.number({"cfl", "", "Courant number of the acoustic step"}, s.continuum.cfl, {0.0, 1.0, true});
+    v.number({"cfl", "", "Courant number of the acoustic step (muscl, weno5)"}, s.continuum.cfl, {0.0, 1.0, true});
     describe_finite_differences(s, v);
 }
 

@@ -39,10 +39,11 @@ std::string toml_friction(const Friction& friction) {
 /// Writes "key = value", with the words of the declaration behind each line when `explain` is set.
 class Printer : public ParameterVisitor {
   public:
-    explicit Printer(bool explain) : explain_(explain) {}
+    Printer(const Scene& scene, bool explain) : without_part_(scene.without_part), explain_(explain) {}
     std::string result;
 
     void section(std::string_view name, std::string_view words) override {
+        section_ = name;
         result +=
             fmt::format("{}[{}]{}\n", result.empty() ? "" : "\n", name, explain_ ? fmt::format("  # {}", words) : "");
     }
@@ -77,6 +78,7 @@ class Printer : public ParameterVisitor {
 
   private:
     void line(const About& a, const std::string& value, const std::string& allowed) {
+        if (without_part_.contains(fmt::format("{}.{}", section_, a.key))) return;
         result += fmt::format("{} = {}{}\n", a.key, value, explanation(a, allowed));
     }
     void absent(const About& a, const std::string& allowed) {
@@ -89,21 +91,24 @@ class Printer : public ParameterVisitor {
         if (!allowed.empty()) words += fmt::format("; {}", allowed);
         return words;
     }
+
+    const std::set<std::string>& without_part_;
     bool explain_;
+    std::string section_;
 };
 
 }  // namespace
 
 std::string print_scene(const Scene& scene) {
     Scene copy = scene;
-    Printer printer(false);
+    Printer printer(scene, false);
     describe(copy, printer);
     return printer.result;
 }
 
 std::string list_parameters() {
     Scene defaults;
-    Printer printer(true);
+    Printer printer(defaults, true);
     describe(defaults, printer);
     return printer.result;
 }

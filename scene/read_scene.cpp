@@ -373,7 +373,8 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
     describe(scene, reader);
     reader.refuse_unknown_keys();
     if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();
-    resolve(scene, reader.places, Place{source, 0, 0, ""});
+    scene.written = reader.places;
+    resolve(scene, scene.written, Place{source, 0, 0, ""});
     return scene;
 }
 

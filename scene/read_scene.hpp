@@ -18,7 +18,7 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
 /// The same from text; `source` stands for the file name in messages.
 Scene parse_scene(const std::string& text, const std::string& source, const std::vector<std::string>& overrides = {});
 
-/// The resolved scene as TOML: reading it back gives the same scene.
+/// The resolved scene as TOML, without the keys that have no part in it: reading it back gives the same scene.
 std::string print_scene(const Scene& scene);
 
 /// A floating-point number in the fewest digits that read back to it, as TOML writes it (9.0, not 9).

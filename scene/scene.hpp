@@ -4,7 +4,9 @@
 #pragma once
 
 #include <cstdint>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 
 #include "scene/friction.hpp"
@@ -132,7 +134,7 @@ struct Continuum {
     double cfl = 0.8;
     double artificial_dissipation = 0.1;  // C_AD of the scheme ftcs
     double diffusion_factor = 0.16;       // s of the scheme ftcs
-    double floor_density = 1e-7;          // relative to the mean density N / (Lx Ly lid)
+    double floor_density = 1e-7;          // relative to the mean density N / (Lx Ly lid); 1e-3 with the scheme ftcs
     double floor_temperature = 1e-4;      // in g sigma
 };
 
@@ -153,6 +155,9 @@ struct Scene {
     PlateMotion motion;
     std::int64_t number_of_particles = 0;
     double depth = 0.0;  // H; 0 where there is no layer
+
+    std::map<std::string, Place> written;  // "section.key" of what is no default, and where it was written
+    std::set<std::string> without_part;    // "section.key" of what has no part in the run, and is not printed
 
     double number_per_area() const { return static_cast<double>(number_of_particles) / (box.x * box.y); }
 };

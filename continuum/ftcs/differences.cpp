@@ -14,7 +14,7 @@ namespace shaken::continuum {
 /// Element 0 of each array is the lower wall.
 struct Ftcs::Column {
     const double* velocity[3];
-    const double *density, *temperature, *pressure, *bulk, *shear, *conductivity, *density_conductivity;
+    const double *density, *temperature, *pressure, *bulk, *shear, *conductivity;
 };
 
 Ftcs::Column Ftcs::column(std::int64_t ix, std::int64_t iy) const {
@@ -26,8 +26,7 @@ Ftcs::Column Ftcs::column(std::int64_t ix, std::int64_t iy) const {
             pressure_.data() + f,
             bulk_.data() + f,
             shear_.data() + f,
-            conductivity_.data() + f,
-            density_conductivity_.data() + f};
+            conductivity_.data() + f};
 }
 
 void Ftcs::difference(std::int64_t c, double gravity, double dt) {
@@ -60,7 +59,6 @@ void Ftcs::difference(std::int64_t c, double gravity, double dt) {
         const double n = here.density[k], t = here.temperature[k], mu = here.shear[k];
         const double volume_term = here.bulk[k] - (2.0 / 3.0) * mu;
 
-        const auto gradient_of_density = [&] { return slopes([](const Column& at) { return at.density; }); };
         const double outflow =
             inverse[0] * (east.density[k] * east.velocity[0][k] - west.density[k] * west.velocity[0][k]) +
             inverse[1] * (north.density[k] * north.velocity[1][k] - south.density[k] * south.velocity[1][k]) +
@@ -119,13 +117,6 @@ void Ftcs::difference(std::int64_t c, double gravity, double dt) {
         double heat = here.conductivity[k] * laplacian_t + grad_kappa.x * grad_t.x + grad_kappa.y * grad_t.y +
                       grad_kappa.z * grad_t.z + (volume_term * divergence - here.pressure[k]) * divergence +
                       2.0 * mu * strain;
-        if (kernels_.density_drives_heat) {
-            const auto coefficient = [](const Column& column_at) { return column_at.density_conductivity; };
-            const Slopes curve = curvatures([](const Column& column_at) { return column_at.density; });
-            const Slopes slope = slopes(coefficient), grad_n = gradient_of_density();
-            heat += here.density_conductivity[k] * (curve.x + curve.y + curve.z) + slope.x * grad_n.x +
-                    slope.y * grad_n.y + slope.z * grad_n.z;
-        }
         const double sink = cooling[k] * dissipation_(t) * t * std::sqrt(t);
         const double carried = u[0] * grad_t.x + u[1] * grad_t.y + u[2] * grad_t.z;
         next_.temperature[at] = t + dt * ((2.0 / 3.0) * heat / n - carried - sink) + fade * laplacian_t;

@@ -19,8 +19,6 @@ namespace {
 // Bougie 2004, section 3.2.8, which has 0.16 for the diffusion factor too.
 constexpr double courant = 1.5;
 constexpr double cooling_share = 0.3;
-// Of the mean. With a tenth of it a node above the layer of chapter 4 empties in the second cycle (docs/numerics.md).
-constexpr double least_floor_density = 1e-3;
 
 Grid nodes_of(const Grid& cells) {
     Grid nodes = cells;
@@ -37,8 +35,23 @@ void cells_to_nodes(const double* cell, double* node, std::int64_t cells) {
 
 }  // namespace
 
+void Ftcs::refuse_closure(const scene::Continuum& choices) {
+    const scene::Choice& closure = choices.closure;
+    if (closure.name == JenkinsRichmanDense::name) return;
+    const std::vector<std::string> known = Closures::names();
+    if (std::find(known.begin(), known.end(), closure.name) == known.end())
+        throw scene::unknown_choice("continuum.closure", closure, known);
+    const bool written = !closure.place.source.empty();
+    const bool by_default = !written && closure.name == scene::Continuum{}.closure.name;
+    throw scene::SceneError(
+        written ? closure.place : choices.scheme.place,
+        fmt::format("continuum.scheme = \"ftcs\" cannot run continuum.closure = \"{}\"{}, whose terms in 1/G ask for "
+                    "steps of no length where the gas is thin; it can run \"{}\"",
+                    closure.name, by_default ? ", the default" : "", JenkinsRichmanDense::name));
+}
+
 Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
-    if (setup_.choices.closure.name == JenkinsRichman::name) setup_.choices.closure.name = JenkinsRichmanDense::name;
+    refuse_closure(setup_.choices);
     kernels_ = choose_kernels(setup_.choices);
     if (setup_.boundaries.upper.end == End::stress_free)
         throw scene::SceneError(setup_.choices.upper.place,
@@ -70,8 +83,7 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
     smallest_spacing_ = grid().dz;
     if (grid().nx > 1) smallest_spacing_ = std::min(smallest_spacing_, grid().dx);
     if (grid().ny > 1) smallest_spacing_ = std::min(smallest_spacing_, grid().dy);
-    floor_density_ = larger(setup_.choices.floor_density, least_floor_density) * mass() /
-                     (grid().dz * static_cast<double>(grid().nz));
+    floor_density_ = setup_.choices.floor_density * mass() / (grid().dz * static_cast<double>(grid().nz));
     for (std::int64_t c = 0; c < grid().columns(); ++c) enforce_walls(c);
     initial_energy_ = energy();
     initial_mass_ = mass();

@@ -6,10 +6,11 @@
 //     nodes    0    1    2         N    the walls are nodes: u_z = 0 there, and u_x, u_y and T as the one-sided
 //              |----|----| ... ----|    derivative of zero makes them; only n evolves, with a one-sided d u_z/dz
 //     cells      0    1        N-1      flow() gives the means of two nodes
-// Terms in 1/G are left out of jenkins_richman (closures/jenkins_richman_dense.hpp) and artificial dissipation takes
-// their place where the gas is thin. The source names no floor; those of [continuum] hold here too, n at least at
-// 1e-3 of its mean, and floor_mass() says what they added. A flat layer starts with an exponential top: a jump to
-// vacuum in one cell ends the run in the first steps, since grad p / n has no bound there.
+// The closure is jenkins_richman_dense, without the terms in 1/G, and artificial dissipation takes their place where
+// the gas is thin: with them an explicit step is bounded by n/mu, which the vacuum takes to zero. The source names no
+// floor; those of [continuum] hold here, n at least at 1e-3 of its mean, and floor_mass() says what they added. A flat
+// layer starts with an exponential top: a jump to vacuum in one cell ends the run in the first steps, since grad p / n
+// has no bound there.
 #pragma once
 
 #include <cstdint>
@@ -25,8 +26,14 @@ namespace shaken::continuum {
 class Ftcs : public Method {
   public:
     static constexpr std::string_view name = "ftcs";
+    /// Of the mean. With a tenth of it a node above the layer of chapter 4 empties in the second cycle
+    /// (docs/numerics.md).
+    static constexpr double least_floor_density = 1e-3;
 
-    /// Throws scene::SceneError for unknown names, and for ends other than walls.
+    /// Throws scene::SceneError, at the closure's place or else the scheme's, for a closure with terms in 1/G.
+    static void refuse_closure(const scene::Continuum& choices);
+
+    /// Throws scene::SceneError for unknown names, for closures with terms in 1/G, and for ends other than walls.
     explicit Ftcs(Setup setup);
 
     /// Equation 3.21 and what follows it: the least over all nodes of 1.5 h/|u_i|, s n h^2/(mu, lambda, kappa) and

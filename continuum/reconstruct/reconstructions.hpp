@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 // The schemes there are: a reconstruction and the time integrator that goes with it. To add one: its header beside
-// these, and a struct with its name in the list.
+// these, and a struct in the list with its name and the keys of [continuum] that have no part in it.
 #pragma once
+
+#include <array>
+#include <string_view>
 
 #include "continuum/choice.hpp"
 #include "continuum/reconstruct/limiters.hpp"
@@ -14,6 +17,7 @@ namespace shaken::continuum {
 /// Second order in space and time: MUSCL along columns, WENO across them, where cells are wide (kernels.cpp).
 struct SchemeMuscl {
     static constexpr std::string_view name = "muscl";
+    static constexpr std::array<std::string_view, 2> unused{"artificial_dissipation", "diffusion_factor"};
     static constexpr std::span<const Stage> stages = ssp_rk2;
 
     template <class Use>
@@ -22,9 +26,10 @@ struct SchemeMuscl {
     }
 };
 
-/// Fifth order in space (one dimension, without transport), third in time. The limiter is not used.
+/// Fifth order in space (one dimension, without transport), third in time.
 struct SchemeWeno5 {
     static constexpr std::string_view name = "weno5";
+    static constexpr std::array<std::string_view, 3> unused{"limiter", "artificial_dissipation", "diffusion_factor"};
     static constexpr std::span<const Stage> stages = ssp_rk3;
 
     template <class Use>
@@ -34,10 +39,10 @@ struct SchemeWeno5 {
     }
 };
 
-/// The source's finite differences (continuum/ftcs/): no fluxes, so nothing is reconstructed. Flux and limiter are not
-/// used.
+/// The source's finite differences (continuum/ftcs/): no fluxes, so nothing is reconstructed.
 struct SchemeFtcs {
     static constexpr std::string_view name = "ftcs";
+    static constexpr std::array<std::string_view, 3> unused{"flux", "limiter", "cfl"};
     static constexpr std::span<const Stage> stages = forward_euler;
 
     template <class Use>

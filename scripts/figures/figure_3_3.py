@@ -4,6 +4,7 @@
                   [--shaken build/release/shaken]
 
 Runs the strip of data/scenes/ch5_growth.toml (along y: the same, turned) with a wave of 0.3 of the density; a run that is there is not made again.
+Runs that are held against each other have one closure, jenkins_richman_dense where one of them is by ftcs, which can run no other.
 Error as in the source: rms over the strip, against the finest grid of the scheme --against, in per cent of the mean height, mean of 8 phases of the eleventh cycle.
 Maps of coarser cells are compared with the means of the finest over the same cells.
 """
@@ -33,12 +34,17 @@ def settings(options, scheme, axis, wide, high):
     return box | {
         "plate.acceleration": options.gamma, "initial.wave": 0.3, "sample.phases": 40, "sample.maps": 8,
         "sample.settle": CYCLES, "sample.average": 1, "sample.map_bin": 0.5, "continuum.spacing_horizontal": wide,
-        "continuum.spacing": high, "continuum.scheme": scheme}
+        "continuum.spacing": high, "continuum.scheme": scheme, "continuum.closure": closure(options)}
+
+
+def closure(options):
+    """One for both schemes: that of the scene, or the one that ftcs can run."""
+    return "jenkins_richman_dense" if "ftcs" in (options.scheme, options.against) else "jenkins_richman"
 
 
 def maps_of(options, scheme, axis, wide, high):
     """z_cm of the eleventh cycle at 8 phases, bins of 0.5 along the strip: (8, 84)."""
-    folder = options.folder / f"{scheme}_{options.gamma:g}_{axis}_{wide:g}_{high:g}"
+    folder = options.folder / f"{scheme}_{closure(options)}_{options.gamma:g}_{axis}_{wide:g}_{high:g}"
     if not (folder / "continuum.h5").exists():
         words = [w for key, value in settings(options, scheme, axis, wide, high).items() for w in ("--set", f"{key}={value}")]
         command = [options.shaken, "continuum", "data/scenes/ch5_growth.toml", *words, "--out", folder, "--overwrite", "--quiet"]

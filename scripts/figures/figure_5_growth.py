@@ -22,7 +22,6 @@ CHOICES = {
     ("jenkins_richman_dense", "goldshtein", "muscl"): ("no 1/G terms", "#1b7837"),
     ("jenkins_richman_fluid", "goldshtein", "muscl"): ("fluid's transport", "#35978f"),
     ("jenkins_richman_bocquet", "goldshtein", "muscl"): ("Bocquet's viscosity", "#8c510a"),
-    ("jenkins_richman", "goldshtein", "ftcs"): ("ftcs", "#e08214"),
     ("jenkins_richman_dense", "goldshtein", "ftcs"): ("ftcs, no 1/G terms", "#7a3b9a"),
 }
 DISSIPATION = "0.1"   # default C_AD of ftcs

@@ -15,7 +15,7 @@ AXES = (("cpu_seconds", "CPU seconds of a run"), ("work", "cell updates of a run
 GUIDES = {"ch4_shock": ((-0.5, "$h^1$"), (-1.0, "$h^2$")), "riemann": ((-0.5, "$h^1$"),), "stripes": ((-1.0, r"$\Delta z^2$"), (-2.0, r"$\Delta x^2$"))}
 LEAST_RANGE = 50  # of the errors on an axis, so that it has two powers of ten
 CAPTION = (
-    "Error of the discretisation, per cent (rms over the cycle; T over the layer; the wave over its own size), against an exact solution (Riemann) or the limit of two schemes, "
+    "Error of the discretisation, per cent (rms over the cycle; T over the layer; the wave over its own size), against an exact solution (Riemann) or the limit of two schemes on the closure of the points (ftcs: without terms in 1/G, as it runs), "
     "whose difference is the grey band: below it nothing is known. Full lines: dz, dashed: dx, dotted: CFL number. Rings: the scene's settings. Crosses: failures."
 )
 

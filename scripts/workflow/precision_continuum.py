@@ -47,11 +47,11 @@ def mean_of(layers):
 
 
 class Shock:
-    """ch4_shock: phase averages of the thirteenth cycle."""
+    """ch4_shock: phase averages of the thirteenth cycle, against the limit of one closure."""
 
-    def __init__(self, study):
+    def __init__(self, study, closure=table.DEFAULT_CLOSURE):
         self._study = study
-        grids = [[self.layer(p) for p in table.reference_points("ch4_shock", scheme)] for scheme in table.REFERENCE_SCHEMES]
+        grids = [[self.layer(p) for p in table.reference_points("ch4_shock", scheme, closure)] for scheme in table.REFERENCE_SCHEMES]
         limits = [limit_of_layer(layers) for layers in grids]
         self.reference = mean_of(limits)
         self.error_of_reference = together(differences(*limits), differences(limits[0], grids[0][-1]))
@@ -66,15 +66,15 @@ class Shock:
 class Stripes:
     """The strip: modes 0, 1 and 2 of z_cm(x), wavelengths of 21 and 10.5, at every phase of three cycles."""
 
-    def __init__(self, study):
-        self._study = study
+    def __init__(self, study, closure=table.DEFAULT_CLOSURE):
+        self._study, self._closure = study, closure
         limits, finest = zip(*(self._limit(scheme) for scheme in table.REFERENCE_SCHEMES))
         self.reference = np.mean(limits, axis=0)
         self.error_of_reference = together(self._differences(*limits), self._differences(finest[0], limits[0]))
 
     def _limit(self, scheme):
         def modes(**settings):
-            return self.modes(table.point("stripes", scheme, settings))
+            return self.modes(table.point("stripes", scheme, settings, self._closure))
         order = observed_order(modes(dz=0.4), modes(dz=0.2), modes(dz=0.1))
         finest = modes(dx=1.0, dz=0.1)
         along, across = (finest - modes(dx=1.0, dz=0.2)) / (2.0**order - 1.0), (finest - modes(dx=2.0, dz=0.1)) / 3.0
@@ -105,9 +105,9 @@ class Stripes:
 
 
 class Riemann:
-    """Mean difference from the exact solution over the tube, per cent of its mean."""
+    """Mean difference from the exact solution over the tube, per cent of its mean; without transport, so of any closure."""
 
-    def __init__(self, study):
+    def __init__(self, study, *_):
         self._study = study
         self.error_of_reference = {}
 
@@ -122,9 +122,9 @@ class Riemann:
 
 
 class Wave:
-    """Sound without transport, which keeps its amplitude: error of its speed, and what a period takes from it."""
+    """Sound without transport, which keeps its amplitude: error of its speed, and what a period takes from it; of any closure."""
 
-    def __init__(self, study):
+    def __init__(self, study, *_):
         self._study = study
         self.error_of_reference = {}
 
@@ -170,16 +170,17 @@ def how_it_ended(study, point, steps):
 
 def rows(study):
     made, timings = [], study.timings()
-    measures = {name: measure(study) for name, measure in MEASURES.items()}
+    measures = {(name, closure): measure(study, closure) for name, measure in MEASURES.items() for closure in table.reference_closures(name)}
     for (name, scheme, knob), values in table.CURVES.items():
+        measure = measures[name, table.closure_of(scheme)]
         for value in values:
             point = table.point(name, scheme, {knob: value})
             died, work = study.end(point.name)["exit_code"] != 0, work_of(study, point)
             says = how_it_ended(study, point, work.get("steps", 0))
-            found = {q: np.nan for q in measures[name].error_of_reference} if died else measures[name].errors(point)
+            found = {q: np.nan for q in measure.error_of_reference} if died else measure.errors(point)
             default = scheme == table.DEFAULT_SCHEME and value == table.DEFAULT[name][knob]
             cost = work | cost_of(timings.get(point.name), work.get("steps"))
             command = study.command("continuum", point.scene, point.changes)
-            made += [row(name, "continuum", scheme, knob, value, quantity, error, measures[name].error_of_reference.get(quantity, 0.0), cost, default, says,
+            made += [row(name, "continuum", scheme, knob, value, quantity, error, measure.error_of_reference.get(quantity, 0.0), cost, default, says,
                          command) for quantity, error in found.items()]
     return made

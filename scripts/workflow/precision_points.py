@@ -66,6 +66,12 @@ CLOSURES = {
     ("jenkins_richman_bocquet", "goldshtein"): {"continuum.closure": "jenkins_richman_bocquet"},
 }
 LIDS = (80.0, 200.0)
+DEFAULT_CLOSURE, DENSE = ("jenkins_richman", "goldshtein"), ("jenkins_richman_dense", "goldshtein")
+
+
+def closure_of(scheme):
+    """The closure of a scheme's curves: the default one, and the one that ftcs can run. A scheme is held against the limit of its own."""
+    return DENSE if scheme == "ftcs" else DEFAULT_CLOSURE
 
 
 @dataclass(frozen=True)
@@ -74,7 +80,7 @@ class Point:
     study: str
     scheme: str
     settings: tuple = ()  # ((knob, value), ...), what departs from the scene's defaults
-    closure: tuple = ("jenkins_richman", "goldshtein")
+    closure: tuple = DEFAULT_CLOSURE
     curves: tuple = field(default=(), compare=False)
 
     @property
@@ -101,18 +107,27 @@ class Point:
         return dict(self.settings).get(knob, DEFAULT.get(self.study, {}).get(knob))
 
 
-def point(study, scheme, settings, closure=Point.closure):
-    """Settings equal to the defaults are left out, so that two curves share the point where they cross."""
+def point(study, scheme, settings, closure=None):
+    """Settings equal to the defaults are left out, so that two curves share the point where they cross. Without a closure: that of the scheme's curves."""
     usual = DEFAULT.get(study, {})
-    return Point(study, scheme, tuple(sorted((k, v) for k, v in settings.items() if usual.get(k) != v)), closure)
+    return Point(study, scheme, tuple(sorted((k, v) for k, v in settings.items() if usual.get(k) != v)), closure or closure_of(scheme))
 
 
 def curve(study, scheme, knob):
     return [point(study, scheme, {knob: value}) for value in CURVES[study, scheme, knob]]
 
 
-def reference_points(study, scheme):
-    return [point(study, scheme, settings) for settings in REFERENCES[study]]
+def reference_points(study, scheme, closure=DEFAULT_CLOSURE):
+    return [point(study, scheme, settings, closure) for settings in REFERENCES[study]]
+
+
+def reference_closures(study):
+    return list(dict.fromkeys(closure_of(scheme) for name, scheme, _ in CURVES if name == study))
+
+
+def bases(study, scheme, closure):
+    """The coarsest of the three spacings that the strip's order is observed from; of the scheme's own closure it is a point of its curve."""
+    return [point(study, scheme, {"dz": 0.4}, closure)] if study == "stripes" else []
 
 
 def model_points():
@@ -121,7 +136,8 @@ def model_points():
 
 def continuum_points():
     points = [p for key in CURVES for p in curve(*key)]
-    points += [p for study in REFERENCES for scheme in REFERENCE_SCHEMES for p in reference_points(study, scheme)]
+    points += [p for study in REFERENCES for closure in reference_closures(study) for scheme in REFERENCE_SCHEMES
+               for p in (*reference_points(study, scheme, closure), *bases(study, scheme, closure))]
     return list(dict.fromkeys(points + model_points()))
 
 

@@ -51,6 +51,33 @@ TEST_CASE("a name that no table has is refused with its place before anything ru
     CHECK_THAT(result.text, Contains("continuum.flux = \"hlc\" is unknown") && Contains("did you mean"));
 }
 
+TEST_CASE("what a run leaves names what ran") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "run").string();
+    const std::string settings = std::string(small_scene) + " --set continuum.spacing=0.3 --set continuum.scheme=ftcs" +
+                                 " --set sample.settle=0 --set sample.average=1";
+    const auto refused = shaken("continuum " + settings + " --out " + out);
+    CHECK(refused.code == 65);
+    CHECK_THAT(refused.text, Contains("it can run \"jenkins_richman_dense\""));
+
+    const std::string named = settings + " --set continuum.closure=jenkins_richman_dense";
+    const auto run = shaken("run " + named + " --out " + out);
+    INFO(run.text);
+    REQUIRE(run.code == 0);
+    const std::string said = support::content_of(out + "/scene.toml");
+    CHECK(shaken("scene " + named).text == said);
+    CHECK_THAT(said, Contains("closure = \"jenkins_richman_dense\"") && Contains("floor_density = 0.001") &&
+                         Contains("dimension = \"1\"") && !Contains("limiter") && !Contains("cfl"));
+    for (const char* file : {"md.h5", "continuum.h5", "compare.h5"}) {
+        const auto stored = support::shell(
+            "/usr/bin/python3 -c 'import h5py, sys; print(h5py.File(sys.argv[1])"
+            "[\"provenance/scene\"][()].decode(), end=\"\")' " +
+            out + "/" + file);
+        INFO(file);
+        CHECK(stored.text == said);
+    }
+}
+
 TEST_CASE("folders that cannot take a run end with 73 and lose nothing") {
     const support::TemporaryFolder folder;
     std::filesystem::create_directory(folder / "full");

@@ -22,6 +22,7 @@ Setup gas_at_rest(const char* scheme = "muscl") {
     Setup setup = cases::tube(32, 8.0, End::wall, End::wall, [](double) { return cases::Point{0.2, 0.0, 1.0}; });
     setup.choices.transport.name = "navier_stokes";
     setup.choices.scheme.name = scheme;
+    setup.choices.closure.name = "jenkins_richman_dense";
     return setup;
 }
 
@@ -41,6 +42,7 @@ scene::Scene coarse_layer() {
     scene.sample.phases = 20;
     scene.continuum.scheme.name = "ftcs";
     scene.continuum.upper.name = "lid";
+    scene.continuum.closure.name = "jenkins_richman_dense";
     scene.continuum.spacing = 0.4;
     return scene;
 }

@@ -30,6 +30,7 @@ Setup noisy_gas(const Gas& gas, double factor) {
     });
     setup.choices.transport.name = "navier_stokes";
     setup.choices.scheme.name = "ftcs";
+    setup.choices.closure.name = "jenkins_richman_dense";
     setup.choices.artificial_dissipation = gas.artificial_dissipation;
     setup.choices.diffusion_factor = factor;
     return setup;

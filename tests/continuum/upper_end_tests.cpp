@@ -116,5 +116,5 @@ TEST_CASE("a layer that names no upper end has a stress-free one, under ftcs the
     CHECK(upper({"continuum.upper=lid"}) == "lid");
     const scene::Scene asked = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml",
                                                  {"continuum.scheme=ftcs", "continuum.upper=stress_free"});
-    CHECK_THROWS_WITH(Solver(asked), Catch::Contains("--set continuum.upper") && Catch::Contains("ftcs"));
+    CHECK_THROWS_WITH(Solver(asked), Contains("--set continuum.upper") && Contains("ftcs"));
 }

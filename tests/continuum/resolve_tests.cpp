@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: MIT
+// What a scene names is what runs: settings that a method has no use for are refused at their place, and what is left
+// open is there as a value.
+#include "continuum/resolve.hpp"
+
+#include <string>
+#include <vector>
+
+#include "continuum/ftcs/ftcs.hpp"
+#include "continuum/solver.hpp"
+#include "scene/errors.hpp"
+#include "scene/read_scene.hpp"
+#include "tests/support/catch.hpp"
+
+using namespace shaken;
+
+using continuum::resolve;
+
+namespace {
+
+const std::string layer = R"([scene]
+kind = "layer"
+[plate]
+acceleration = 3.0
+frequency = 0.095
+[particles]
+number = 864
+restitution = 0.9
+[box]
+x = 12.0
+y = 12.0
+[continuum]
+lid = 40.0
+)";
+
+scene::Scene with(const std::vector<std::string>& changes, const std::string& more = "") {
+    return scene::parse_scene(layer + more, "layer.toml", changes);
+}
+
+const std::vector<std::string> ftcs{"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense"};
+
+std::vector<std::string> ftcs_and(const std::string& change) { return {ftcs[0], ftcs[1], change}; }
+
+}  // namespace
+
+TEST_CASE("a key that the scheme has no use for is refused where it is written, and by default is not printed") {
+    struct Case {
+        std::string scheme, key, value;
+    };
+    const Case c = GENERATE(Case{"ftcs", "flux", "hllc"}, Case{"ftcs", "limiter", "van_leer"},
+                            Case{"ftcs", "cfl", "0.8"}, Case{"muscl", "artificial_dissipation", "0.1"},
+                            Case{"muscl", "diffusion_factor", "0.16"}, Case{"weno5", "limiter", "minmod"},
+                            Case{"weno5", "artificial_dissipation", "0.1"}, Case{"weno5", "diffusion_factor", "0.16"});
+    INFO(c.scheme << ", " << c.key);
+    std::vector<std::string> scheme{"continuum.scheme=" + c.scheme};
+    if (c.scheme == "ftcs") scheme.push_back(ftcs[1]);
+    const std::string quoted = c.key == "flux" || c.key == "limiter" ? '"' + c.value + '"' : c.value;
+    CHECK_THROWS_WITH(resolve(with(scheme, c.key + " = " + quoted + "\n")),
+                      Contains("layer.toml:14:") && Contains("continuum." + c.key + " has no part in") &&
+                          Contains('"' + c.scheme + '"') && Contains("schemes that use it"));
+    const std::string printed = scene::print_scene(resolve(with(scheme)));
+    CHECK_THAT(printed, !Contains("\n" + c.key + " ="));
+    std::vector<std::string> by_override = scheme;
+    by_override.push_back("continuum." + c.key + "=" + c.value);
+    CHECK_THROWS_WITH(resolve(with(by_override)), Contains("--set continuum." + c.key));
+    // A run refuses it too, whoever starts it.
+    CHECK_THROWS_AS(continuum::Solver(with(by_override)), scene::SceneError);
+}
+
+TEST_CASE("ftcs is refused with a closure that it cannot run, by the name that it can") {
+    const std::string closure =
+        GENERATE("jenkins_richman", "jenkins_richman_fluid", "jenkins_richman_bocquet", "garzo_dufty");
+    CHECK_THROWS_WITH(resolve(with({ftcs[0]}, "closure = \"" + closure + "\"\n")),
+                      Contains("layer.toml:14:") && Contains('"' + closure + '"') &&
+                          Contains("it can run \"jenkins_richman_dense\""));
+    // Left open, the closure is the default one, which is not replaced: the scheme's place is shown.
+    CHECK_THROWS_WITH(resolve(with({ftcs[0]})), Contains("--set continuum.scheme=ftcs") && Contains("the default") &&
+                                                    Contains("it can run \"jenkins_richman_dense\""));
+    CHECK(resolve(with(ftcs)).continuum.closure.name == "jenkins_richman_dense");
+    CHECK(resolve(with({})).continuum.closure.name == "jenkins_richman");
+}
+
+TEST_CASE("the floor of ftcs is what the scene says, and by default its own") {
+    CHECK(resolve(with({})).continuum.floor_density == 1e-7);
+    CHECK(resolve(with(ftcs)).continuum.floor_density == 1e-3);
+    CHECK(resolve(with(ftcs_and("continuum.floor_density=0.02"))).continuum.floor_density == 0.02);
+    CHECK_THROWS_WITH(resolve(with(ftcs_and("continuum.floor_density=1e-4"))),
+                      Contains("--set continuum.floor_density") && Contains("0.0001") && Contains("0.001"));
+
+    // And it is what holds the gas above the layer, before and after the first steps. Round-off.
+    const double floor = GENERATE(1e-3, 0.02);
+    continuum::Solver solver(with(ftcs_and("continuum.floor_density=" + std::to_string(floor))));
+    solver.advance_to_phase(0, 2);
+    double least = 1.0;
+    for (const double n : solver.column(0, 0).density) least = std::min(least, n);
+    // Relative to the mean of the run, which holds the floor itself: at most that share more.
+    CHECK(least >= floor * 864.0 / (12.0 * 12.0 * 40.0));
+    CHECK(least <= (1.0 + floor) * floor * 864.0 / (12.0 * 12.0 * 40.0));
+}
+
+TEST_CASE("the grid that runs is the one recorded") {
+    CHECK(resolve(with({})).continuum.dimension.name == "1");
+    CHECK(resolve(with({"initial.noise=0.01", "box.x=24", "box.y=6"})).continuum.dimension.name == "2");
+    CHECK(resolve(with({"initial.noise=0.01", "box.x=24", "box.y=24"})).continuum.dimension.name == "3");
+    // One column of cells along y is no third dimension.
+    CHECK(resolve(with({"continuum.dimension=3", "box.x=48", "box.y=3", "continuum.spacing_horizontal=3"}))
+              .continuum.dimension.name == "2");
+
+    const scene::Scene uneven =
+        resolve(with({"continuum.spacing=0.3", "continuum.dimension=3", "continuum.spacing_horizontal=0.7"}));
+    const continuum::Solver solver(uneven);
+    CHECK(uneven.continuum.spacing == solver.spacing_z());
+    CHECK(uneven.continuum.spacing_horizontal == solver.spacing_x());
+    CHECK(solver.spacing_z() == Approx(40.0 / 133.0));
+    CHECK_THAT(scene::print_scene(resolve(with({}))), !Contains("spacing_horizontal"));
+}
+
+TEST_CASE("a start that the columns cannot hold is refused") {
+    CHECK_THROWS_WITH(resolve(with({"continuum.dimension=1", "initial.noise=0.01"})),
+                      Contains("initial.noise = 0.01") && Contains("several columns"));
+    CHECK_THROWS_WITH(resolve(with({"continuum.dimension=2", "initial.wave=0.1", "initial.wave_y=1"})),
+                      Contains("initial.wave_y = 1") && Contains("along y"));
+    CHECK_NOTHROW(resolve(with({"continuum.dimension=2", "initial.wave=0.1", "initial.wave_x=2"})));
+}
+
+TEST_CASE("what is printed resolves to itself") {
+    const std::vector<std::string> changes =
+        GENERATE(std::vector<std::string>{}, ftcs, std::vector<std::string>{"continuum.scheme=weno5"},
+                 std::vector<std::string>{"initial.noise=0.01", "continuum.spacing=0.3"});
+    const scene::Scene once = resolve(with(changes));
+    const std::string printed = scene::print_scene(once);
+    CHECK(scene::print_scene(resolve(once)) == printed);
+    CHECK(scene::print_scene(resolve(scene::parse_scene(printed, "printed.toml"))) == printed);
+}
