@@ -3,7 +3,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
+#include <numbers>
 
 #include "app/frames.hpp"
 #include "continuum/resolve.hpp"
@@ -16,9 +18,10 @@ namespace shaken::app {
 namespace {
 
 /// What is recorded at every sample instant, in the order of ContinuumRun::advance_and_sample. Totals are per area.
-const std::vector<std::string> columns{"centre_of_mass",   "mass",       "energy",           "body_force_work",
-                                       "collisional_loss", "floor_gain", "dual_energy_gain", "plate_impulse",
-                                       "lid_impulse",      "steps"};
+const std::vector<std::string> columns{
+    "centre_of_mass", "mass",        "energy", "body_force_work", "collisional_loss", "floor_gain", "dual_energy_gain",
+    "plate_impulse",  "lid_impulse", "steps",  "knudsen",         "knudsen_largest",  "omega_tau",  "omega_tau_largest",
+    "packed_share"};
 
 /// Runs `visit(ix, iy, iz, column)` over all cells.
 template <class Visit>
@@ -34,7 +37,12 @@ void for_each_cell(const continuum::Solver& solver, Visit visit) {
 }  // namespace
 
 ContinuumRun::ContinuumRun(const scene::Scene& scene)
-    : scene_(continuum::resolve(scene)), solver_(scene_), sampler_(scene_), series_(columns), next_(solver_.phase()) {}
+    : scene_(continuum::resolve(scene)),
+      solver_(scene_),
+      gas_(continuum::make_equation_of_state(scene_)),
+      sampler_(scene_),
+      series_(columns),
+      next_(solver_.phase()) {}
 
 bool ContinuumRun::advance_and_sample(const AskedToStop&) {
     const Instant now = instant_of(next_, scene_);
@@ -48,12 +56,31 @@ bool ContinuumRun::advance_and_sample(const AskedToStop&) {
     });
     const double height = scene_.motion.position(now.time_in_cycle(scene_)) + moment / total;
     const continuum::Ledger l = solver_.ledger();
+    const compare::Validity v = validity_now();
     series_.add(next_, now.time(scene_),
                 std::array{height, solver_.mass(), l.energy, l.body_force_work, l.collisional_loss, l.floor_gain,
-                           l.dual_energy_gain, l.plate_impulse, l.lid_impulse, static_cast<double>(solver_.steps())});
+                           l.dual_energy_gain, l.plate_impulse, l.lid_impulse, static_cast<double>(solver_.steps()),
+                           v.knudsen, v.knudsen_largest, v.omega_tau, v.omega_tau_largest, v.packed_share});
     if (is_frame(now, scene_)) frames_.push_back(frame());
     ++next_;
     return true;
+}
+
+compare::Validity ContinuumRun::validity_now() const {
+    std::vector<continuum::ColumnView> columns;
+    for (std::int64_t iy = 0; iy < solver_.cells_y(); ++iy)
+        for (std::int64_t ix = 0; ix < solver_.cells_x(); ++ix) columns.push_back(solver_.column(ix, iy));
+    return compare::validity_of(columns, solver_.spacing_z(), gas_, 2.0 * std::numbers::pi * scene_.motion.frequency);
+}
+
+compare::ValidityOfRun ContinuumRun::validity() const {
+    std::vector<compare::Validity> states;
+    const auto averaged = static_cast<std::size_t>(scene_.sample.average * scene_.sample.phases);
+    for (std::size_t row = series_.rows() - std::min(series_.rows(), averaged); row < series_.rows(); ++row)
+        states.push_back({series_.value(row, "knudsen"), series_.value(row, "knudsen_largest"),
+                          series_.value(row, "omega_tau"), series_.value(row, "omega_tau_largest"),
+                          series_.value(row, "packed_share")});
+    return compare::over_run(states);
 }
 
 ContinuumFrame ContinuumRun::frame() const {
@@ -136,6 +163,7 @@ void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, 
     file.make_group("/run");
     file.attribute("/run", "wall_seconds", spent.wall);
     file.attribute("/run", "cpu_seconds", spent.cpu);
+    for (const auto& [name, value] : compare::named(validity())) file.write("/validity/" + name, value);
     file.write_text("/run/notes", joined(notes()));
     file.close();
     std::filesystem::rename(aside, path);

@@ -9,6 +9,8 @@
 #include "app/continuum_notes.hpp"
 #include "app/engine_loop.hpp"
 #include "compare/continuum_sampler.hpp"
+#include "compare/validity.hpp"
+#include "continuum/closures/equation_of_state.hpp"
 #include "continuum/solver.hpp"
 #include "fields/time_series.hpp"
 #include "scene/scene.hpp"
@@ -42,13 +44,17 @@ class ContinuumRun {
     void write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const;
     std::uint64_t state_hash() const { return solver_.state_hash(); }
     std::int64_t steps() const { return solver_.steps(); }
+    /// Over the averaged cycles.
+    compare::ValidityOfRun validity() const;
     Notes notes() const;
 
   private:
     ContinuumFrame frame() const;
+    compare::Validity validity_now() const;
 
     scene::Scene scene_;
     continuum::Solver solver_;
+    continuum::EquationOfState gas_;
     compare::ContinuumSampler sampler_;
     fields::TimeSeries series_;
     std::vector<ContinuumFrame> frames_;  // of the last cycle, at equal phases

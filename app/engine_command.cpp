@@ -46,6 +46,7 @@ void print_result(const UniformRun& run) {
 
 void print_result(const ContinuumRun& run) {
     fmt::print("continuum: {} steps, state {:016x}\n", run.steps(), run.state_hash());
+    fmt::print("validity: {}\n", compare::in_words(run.validity()));
     for (const std::string& note : run.notes()) fmt::print("note: {}\n", note);
 }
 

@@ -23,6 +23,11 @@ double EquationOfState::specific_heat_at_constant_pressure(double volume_fractio
     return 1.5 + z.chi * z.chi / (z.chi + z.slope);
 }
 
+double EquationOfState::collision_rate(double volume_fraction, double temperature) const {
+    const double g = (law_(volume_fraction, restitution_).chi - 1.0) / (2.0 * (1.0 + restitution_));
+    return 24.0 / std::sqrt(std::numbers::pi) * g * std::sqrt(temperature);
+}
+
 EquationOfState make_equation_of_state(const scene::Choice& pair_correlation, double restitution) {
     return choose(
         PairCorrelations{}, "continuum.pair_correlation", pair_correlation, [&](auto pair) -> EquationOfState {

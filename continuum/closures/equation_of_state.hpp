@@ -27,6 +27,9 @@ class EquationOfState {
     double sound_speed(double volume_fraction, double temperature) const;
     /// c_p = 3/2 + chi^2 / (chi + nu dchi/dnu), per particle.
     double specific_heat_at_constant_pressure(double volume_fraction) const;
+    /// Collisions of one particle a unit of time, (24/sqrt(pi)) G sqrt(T) = 4 n sigma^2 g0 sqrt(pi T/m), in
+    /// sqrt(g/sigma) (Chapman and Cowling, with Enskog's g0 at contact).
+    double collision_rate(double volume_fraction, double temperature) const;
     /// The volume fraction at which the pressure diverges.
     double packing_limit() const { return packing_; }
 
