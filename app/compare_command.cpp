@@ -15,6 +15,7 @@
 #include "compare/compare_file.hpp"
 #include "compare/medium.hpp"
 #include "compare/summary.hpp"
+#include "compare/validity.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "scene/read_scene.hpp"
@@ -88,7 +89,18 @@ compare::Cost continuum_cost(const files::Hdf5File& file, const scene::Scene& sc
     return cost;
 }
 
-/// Of files that an earlier version wrote there are none.
+/// Empty for a file of an earlier version; so are its notes.
+nlohmann::ordered_json validity_of(const files::Hdf5File& file) {
+    nlohmann::ordered_json numbers = nlohmann::ordered_json::object();
+    for (const auto& [name, none] : compare::named({}))
+        if (file.has("/validity/" + name)) numbers[name] = file.read_number("/validity/" + name);
+    if (numbers.empty()) return numbers;
+    numbers["knudsen_limit"] = compare::knudsen_limit;
+    numbers["omega_tau_limit"] = compare::omega_tau_limit;
+    numbers["packed_share_limit"] = compare::packed_share_limit;
+    return numbers;
+}
+
 Notes notes_of(const files::Hdf5File& file) {
     return file.has("/run/notes") ? parted(file.read_text("/run/notes")) : Notes{};
 }
@@ -139,6 +151,12 @@ void print_summary(const nlohmann::ordered_json& summary) {
     print_number(summary, "z_cm rms difference, percent", "zcm_rms_percent");
     print_number(summary, "  with the floor half a diameter up", "zcm_rms_percent_half_diameter");
     print_number(summary, "shock location rms difference, sigma", "shock_location_rms");
+    const auto& validity = summary.at("continuum").at("validity");
+    for (const auto& [name, words] :
+         {std::pair{"knudsen", "Knudsen number, mean over the layer"}, std::pair{"knudsen_largest", "  largest"},
+          std::pair{"omega_tau", "omega tau, mean over the layer"}, std::pair{"omega_tau_largest", "  largest"},
+          std::pair{"packed_share", "share of mass above nu = 0.6"}, std::pair{"packed_share_largest", "  largest"}})
+        if (validity.contains(name)) print_number(validity, words, name);
     for (const auto& note : summary.at("continuum").at("notes")) fmt::print("note: {}\n", note.get<std::string>());
 }
 
@@ -182,6 +200,7 @@ int run_compare(const CompareOptions& options) {
                                 {continuum_file.read_text("/provenance/scene"), scene.md.seed, ""});
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
+    summary["continuum"]["validity"] = validity_of(continuum_file);
     summary["continuum"]["notes"] = notes_of(continuum_file);
     for (const std::filesystem::path& md_folder : md_folders)
         summary["runs"]["md"].push_back(std::filesystem::absolute(md_folder).lexically_normal().string());

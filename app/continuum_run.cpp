@@ -139,7 +139,11 @@ void ContinuumRun::restore(const files::CheckpointReader& in) {
     }
 }
 
-Notes ContinuumRun::notes() const { return notes_of_scene(scene_); }
+Notes ContinuumRun::notes() const {
+    Notes notes = notes_of_scene(scene_);
+    for (const std::string& warning : compare::warnings(validity())) notes.push_back(warning);
+    return notes;
+}
 
 void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, const std::string& parent) const {
     const std::filesystem::path aside = path.string() + ".part";

@@ -2,8 +2,9 @@
 // How far a run stays inside what the continuum's equations assume: gradients over a mean free path (Knudsen number),
 // the plate's motion over the time between collisions, packed mass. Means of states at the sample instants; nothing
 // here changes one.
-//   Kn        = l |dT/dz| / T,  l = sqrt(pi/8) / (n pi sigma^2)      no dense correction: what a particle flies in a
-//   gas omega tau = 2 pi f / nu_c,  nu_c = (24/sqrt(pi)) G sqrt(T)       G = nu g0 of the scene's pair correlation
+//   Kn        = l |dT/dz| / T,  l = sqrt(pi/8) / (n pi sigma^2)
+//   omega tau = 2 pi f tau,      1/tau = (24/sqrt(pi)) G sqrt(T)
+// l has no dense correction, as in docs/formats.md; tau has the scene's contact value, G = nu g0.
 #pragma once
 
 #include <span>
@@ -42,6 +43,17 @@ ValidityOfRun over_run(std::span<const Validity> states);
 
 /// Name and value of each number, as files have them.
 std::vector<std::pair<std::string, double>> named(const ValidityOfRun& run);
+
+/// Limits on the means of a run (docs/choosing.md, `scripts/validity_study.py`). Below the first two, the mean T of 9
+/// measured layers is 0.99 to 1.18 times that of grains; above, 1.01 to 4.5 times (omega tau), 1.08 to 1.53 times (Kn,
+/// of which 0.1 is also the usual limit of Navier and Stokes' equations: Bird 1994).
+inline constexpr double omega_tau_limit = 2.5;
+inline constexpr double knudsen_limit = 0.1;
+/// The least share, 0.11, at which it is known that what a closure does where mass is packed decides when waves begin.
+inline constexpr double packed_share_limit = 0.1;
+
+/// One sentence for each limit that a run is above.
+std::vector<std::string> warnings(const ValidityOfRun& run);
 
 /// One line for the terminal.
 std::string in_words(const ValidityOfRun& run);

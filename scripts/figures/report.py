@@ -66,6 +66,8 @@ or a tolerance was stated beforehand.</p>
 {notes(run.summary)}
 <h2>Numbers</h2>
 {number_table(run.summary, references, run.is_of(references["scene"]))}
+<h2>Where the equations hold</h2>
+{validity_table(run.summary)}
 <h2>Figures</h2>
 {"".join(figure(module, path) for module, path in images)}
 <h2>Centre of mass over the cycle</h2>
@@ -104,6 +106,23 @@ def notes(summary):
     sentences = summary["continuum"].get("notes", [])
     items = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
     return f'<h2>What to know of this continuum</h2><ul class="notes">{items}</ul>' if items else ""
+
+
+def validity_table(summary):
+    """How far the continuum was driven beyond what its equations assume."""
+    values = summary["continuum"].get("validity")
+    if not values:
+        return "<p>The continuum's run does not say: an earlier version made it.</p>"
+    keys = (("knudsen", "Knudsen number, the mean free path times |dT/dz|/T", 1, ""),
+            ("omega_tau", "&omega;&tau;, 2&pi;f times the mean time between collisions", 1, ""),
+            ("packed_share", "share of all mass above &nu; = 0.6", 100, " %"))
+    rows = "".join(
+        f'<tr><td>{words}</td><td class="number">{factor * values[key]:.2g}{unit}</td>'
+        f'<td class="number">{factor * values[key + "_largest"]:.2g}{unit}</td><td class="number">{factor * values[key + "_limit"]:.2g}{unit}</td></tr>'
+        for key, words, factor, unit in keys
+    )
+    return ("<table><tr><th>continuum</th><th>mean, over the layer by mass and over the averaged cycles</th><th>largest</th><th>limit of the mean</th></tr>"
+            f"{rows}</table>")
 
 
 def row(cells, verdicts):

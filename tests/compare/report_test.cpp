@@ -44,7 +44,13 @@ TEST_CASE("a compared run becomes one report without outside parts, and each fig
     scene::Scene scene;
     scene.name = "a <synthetic> front";
     compare::write_compare_file(folder / "compare.h5", md, continuum, medium, {});
-    std::ofstream(folder / "summary.json") << compare::summarise(md, continuum, scene, {}, {}).dump();
+    auto summary = compare::summarise(md, continuum, scene, {}, {});
+    summary["continuum"]["notes"] = {"The continuum has no <friction>."};
+    summary["continuum"]["validity"] = {
+        {"knudsen", 0.0123},      {"knudsen_largest", 0.5},      {"knudsen_limit", 0.1},
+        {"omega_tau", 3.4},       {"omega_tau_largest", 7.0},    {"omega_tau_limit", 2.5},
+        {"packed_share", 0.0567}, {"packed_share_largest", 0.4}, {"packed_share_limit", 0.1}};
+    std::ofstream(folder / "summary.json") << summary.dump();
     REQUIRE(run_report(folder) == 0);
 
     std::ifstream in(folder / "report.html");
@@ -54,6 +60,8 @@ TEST_CASE("a compared run becomes one report without outside parts, and each fig
     CHECK(count(page, "data:image/png;base64,") == 4);
     CHECK(count(page, "http") == 0);
     CHECK(count(page, "a &lt;synthetic&gt; front") == 2);  // title and heading, escaped
+    CHECK(count(page, "<li>The continuum has no &lt;friction&gt;.</li>") == 1);
+    for (const char* number : {">0.012<", ">3.4<", ">5.7 %<", ">40 %<", ">2.5<"}) CHECK(count(page, number) == 1);
     for (const char* figure : {"figure_4_1", "figure_4_2b", "figure_4_3", "figure_4_5"}) {
         for (const char* kind : {".png", ".pdf", ".csv"}) {
             const auto file = folder / "figures" / (std::string(figure) + kind);
