@@ -12,7 +12,7 @@ import shutil
 
 import probe
 import workflow
-from stamps import Stamps
+from stamps import Stamps, with_starts
 
 
 @dataclasses.dataclass
@@ -59,7 +59,10 @@ def make(root, studies, out, jobs, dry_run, command, record=False):
     for name, study in studies.items():
         today = Today(root, (root / (out or f"out/{name}")).resolve(), shaken, jobs, command, prober)
         parts = study.kept(root)
-        prober.fill([run for part in parts for run in part.runs])
+        prober.fill(prober.text, [run for part in parts for run in with_starts(part.runs)])
+        # Where the scene says enough no probe is made.
+        asked = [run for part in parts for run in with_starts(part.runs) if record or today.stamps(part).asks_a_probe(run)]
+        prober.fill(prober.numbers, asked)
         if record:
             for part in parts:
                 today.stamps(part).record(part.runs, part.files)
@@ -77,18 +80,30 @@ def make(root, studies, out, jobs, dry_run, command, record=False):
 
 
 def show(study, parts, stale):
-    """A line for each stale part, engine and reason; one for all that are fresh."""
+    """A line for each file of stamps, engine and reason; one for all that is fresh."""
     fresh = [part for part in parts if not stale[part.name] and not part.past]
     if fresh:
         runs = {run for part in fresh for run in part.runs}
         print(f"{study:15} {f'{len(fresh)} of {len(parts)} kept':28} fresh   {f'{len(runs)} runs':10}", flush=True)
+    for name, together in grouped(parts).items():
+        runs = {run for part in together for run in part.runs}
+        reasons = {run: why for part in together for run, why in stale[part.name].items()}
+        number = sum(bool(stale[part.name]) for part in together)
+        title = together[0].name if len(together) == 1 else f"{name}, {number} of {len(together)} parts"
+        engines = collections.Counter(run.engine for run in runs)
+        for (engine, why), count in sorted(collections.Counter((run.engine, why) for run, why in reasons.items()).items()):
+            print(f"{study:15} {title:28} stale   {engine:10} {count:4} of {engines[engine]:4}: {why}", flush=True)
     for part in parts:
-        engines = collections.Counter(run.engine for run in part.runs)
-        reasons = collections.Counter((run.engine, why) for run, why in stale[part.name].items())
-        for (engine, why), count in sorted(reasons.items()):
-            print(f"{study:15} {part.name:28} stale   {engine:10} {count:4} of {engines[engine]:4}: {why}", flush=True)
         if part.past:
             print(f"{study:15} {part.name:28} past    {len(part.past)} rows that are no longer asked for", flush=True)
+
+
+def grouped(parts):
+    """{file of stamps: parts}"""
+    found = {}
+    for part in parts:
+        found.setdefault(part.stamps, []).append(part)
+    return found
 
 
 def run_of(runs, name, profiles):

@@ -53,12 +53,11 @@ class Prober:
         said = subprocess.run([self._shaken, "--version"], capture_output=True, text=True, check=True).stdout
         self.program = said.partition("(")[2].partition(")")[0] or said.strip()
 
-    def fill(self, runs):
-        """Texts and probes of all runs, `jobs` at a time."""
-        for ask in (self.text, self.numbers):
-            with concurrent.futures.ThreadPoolExecutor(self._jobs) as pool:
-                list(pool.map(ask, dict.fromkeys(runs)))
-            self._keep()
+    def fill(self, ask, runs):
+        """text or numbers of all runs, `jobs` at a time."""
+        with concurrent.futures.ThreadPoolExecutor(self._jobs) as pool:
+            list(pool.map(ask, dict.fromkeys(runs)))
+        self._keep()
 
     def text(self, run):
         """{section.key: value} of the resolved scene, or {"refused": sentence}."""

@@ -61,14 +61,19 @@ class Stamps:
         known.write_text(json.dumps({"command": run.command, "scene": self._prober.text(run), "probe": self._prober.numbers(run)}) + "\n")
         return True
 
+    def asks_a_probe(self, run):
+        """Whether its scene is that of its stamp."""
+        stamp = self._kept["runs"].get(run.command)
+        return stamp is not None and not self._moved_keys(run, self._kept["scenes"][stamp["scene"]] | stamp["departs"])
+
     def _moved(self, run, scene, numbers):
+        return self._moved_keys(run, scene) or ("its probe differs" if probe.differing(numbers, self._prober.numbers(run)) else "")
+
+    def _moved_keys(self, run, scene):
         now = self._prober.text(run)
         if "refused" in now:
             return "" if "refused" in scene else "today the scene is refused"
-        moved = [f"{key} {scene[key]} -> {now[key]}" for key in scene if key in now and scene[key] != now[key] and reads(run, key)]
-        if moved:
-            return ", ".join(moved)
-        return "its probe differs" if probe.differing(numbers, self._prober.numbers(run)) else ""
+        return ", ".join(f"{key} {scene[key]} -> {now[key]}" for key in scene if key in now and scene[key] != now[key] and reads(run, key))
 
     def why_files(self, files):
         moved = [file for file in files if self._kept.get("files", {}).get(file) != self._digest(file)]
