@@ -8,7 +8,6 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using Contains;
 using shaken::app::Notes;
 
 namespace {
