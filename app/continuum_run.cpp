@@ -18,10 +18,15 @@ namespace shaken::app {
 namespace {
 
 /// What is recorded at every sample instant, in the order of ContinuumRun::advance_and_sample. Totals are per area.
-const std::vector<std::string> columns{
-    "centre_of_mass", "mass",        "energy", "body_force_work", "collisional_loss", "floor_gain", "dual_energy_gain",
-    "plate_impulse",  "lid_impulse", "steps",  "knudsen",         "knudsen_largest",  "omega_tau",  "omega_tau_largest",
-    "packed_share"};
+const std::vector<std::string> columns{"centre_of_mass",   "mass",
+                                       "energy",           "body_force_work",
+                                       "gravity_work",     "potential_gain",
+                                       "collisional_loss", "floor_gain",
+                                       "dual_energy_gain", "plate_impulse",
+                                       "lid_impulse",      "steps",
+                                       "knudsen",          "knudsen_largest",
+                                       "omega_tau",        "omega_tau_largest",
+                                       "packed_share"};
 
 /// Runs `visit(ix, iy, iz, column)` over all cells.
 template <class Visit>
@@ -58,9 +63,10 @@ bool ContinuumRun::advance_and_sample(const AskedToStop&) {
     const continuum::Ledger l = solver_.ledger();
     const compare::Validity v = validity_now();
     series_.add(next_, now.time(scene_),
-                std::array{height, solver_.mass(), l.energy, l.body_force_work, l.collisional_loss, l.floor_gain,
-                           l.dual_energy_gain, l.plate_impulse, l.lid_impulse, static_cast<double>(solver_.steps()),
-                           v.knudsen, v.knudsen_largest, v.omega_tau, v.omega_tau_largest, v.packed_share});
+                std::array{height, solver_.mass(), l.energy, l.body_force_work, l.gravity_work, l.potential_gain,
+                           l.collisional_loss, l.floor_gain, l.dual_energy_gain, l.plate_impulse, l.lid_impulse,
+                           static_cast<double>(solver_.steps()), v.knudsen, v.knudsen_largest, v.omega_tau,
+                           v.omega_tau_largest, v.packed_share});
     if (is_frame(now, scene_)) frames_.push_back(frame());
     ++next_;
     return true;

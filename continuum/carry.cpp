@@ -3,6 +3,8 @@
 // In cold fast flow the heat is a small difference of two large energies, so beside the total energy E the equation
 // de/dt + div(e u) = -p div u is followed through each stage, and its e stands where E - n u^2/2 is below what the
 // jumps of velocity around the cell can spoil (Bryan and others 1995, their criterion made Galilean invariant).
+// Gravity works on the mass that passes the faces, g F dz at each, half of it in either cell: what it gives is what the
+// column's potential energy loses, to round-off, and a column at rest, through whose faces nothing passes, gets none.
 #include <cmath>
 
 #include "continuum/boundary/fill_ghosts.hpp"
@@ -45,7 +47,7 @@ bool Evolution::carry(double t, double dt, const Sweeps& sweeps) {
             if (along_y) sweep_along_y(sweeps, rows, !along_x, work);
 #pragma omp for schedule(static)
             for (std::int64_t column = 0; column < columns; ++column)
-                sweep_along_z(column, sweeps.vertical, !along_x && !along_y, work);
+                sweep_along_z(column, sweeps.vertical, !along_x && !along_y, gravity, work);
 #pragma omp for schedule(static)
             for (std::int64_t column = 0; column < columns; ++column)
                 unsound += update(column, stage, k == 0, gravity, dt) ? 0.0 : 1.0;
@@ -81,7 +83,8 @@ void Evolution::add_rates(std::int64_t column, const FaceArrays& lower, const Fa
     }
 }
 
-void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, Workspace& work) {
+void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, double gravity,
+                              Workspace& work) {
     const std::int64_t nz = grid().nz, first = grid().first(column);
     Stencil stencil;
     for (std::size_t k = 0; k < 6; ++k) {
@@ -97,7 +100,16 @@ void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first
     if (reflects(setup_.boundaries.lower.end)) close_face(faces, 0, kernels_.wall(stencil, constants_));
     if (reflects(setup_.boundaries.upper.end)) close_face(faces, nz, stress_below_wall(stencil, nz));
     add_rates(column, faces, faces.shifted(1), Direction::z, grid().dz, first_sweep);
-    // What passes the ends, for the books: kept in the ghosts of the rates until the update.
+    double* __restrict energy = rates_.energy.data() + first;
+    const double* mass = faces.mass;
+    double* __restrict passing = work.row(8);
+#pragma omp simd
+    for (std::int64_t i = 0; i < nz; ++i) {
+        passing[i] = 0.5 * (mass[i] + mass[i + 1]);
+        energy[i] -= gravity * passing[i];
+    }
+    // What gravity lifts and what passes the ends, for the books: kept in the ghosts of the rates until the update.
+    rates_.mass[static_cast<std::size_t>(first - 1)] = sum_in_lanes(passing, nz);
     rates_.momentum_z[static_cast<std::size_t>(first - 1)] = faces.normal[0];
     rates_.momentum_z[static_cast<std::size_t>(first + nz)] = faces.normal[nz];
     rates_.energy[static_cast<std::size_t>(first - 1)] = faces.energy[0];
@@ -144,7 +156,7 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
                  *energy = rates_.energy.data() + first, *internal = rates_.internal.data() + first,
                  *jump = rates_.jump.data() + first;
     Workspace& rows = work_[thread()];
-    double *__restrict work = rows.row(0), *__restrict corrected = rows.row(1), *__restrict floored = rows.row(2);
+    double* __restrict corrected = rows.row(0), * __restrict floored = rows.row(1);
     double unsound = 0.0;  // whole numbers: any order gives the same sum
 #pragma omp simd reduction(+ : unsound)
     for (std::int64_t i = 0; i < nz; ++i) {
@@ -153,13 +165,12 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
         const double n = density[i], x = u_x[i], y = u_y[i], z = u_z[i], heat = 1.5 * temperature[i];
         const double energy0 = n0 * (heat0 + 0.5 * (z0 * z0 + (x0 * x0 + y0 * y0)));
         const double energy1 = n * (heat + 0.5 * (z * z + (x * x + y * y)));
-        const double weight = gravity * (n * z);
 
         const double new_density = start * n0 + previous * (n + dt * mass[i]);
         const double new_x = start * (n0 * x0) + previous * (n * x + dt * momentum_x[i]);
         const double new_y = start * (n0 * y0) + previous * (n * y + dt * momentum_y[i]);
         const double new_z = start * (n0 * z0) + previous * (n * z + dt * (momentum_z[i] - gravity * n));
-        const double new_energy = start * energy0 + previous * (energy1 + dt * (energy[i] - weight));
+        const double new_energy = start * energy0 + previous * (energy1 + dt * energy[i]);
         const double by_compression = start * (n0 * heat0) + previous * (n * heat + dt * internal[i]);
 
         const double per_density = 1.0 / new_density;
@@ -171,7 +182,6 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
 
         const bool admissible =
             (new_density > 0.0) & (new_density < packing) & (std::abs(v_z) < 1e100) & (kept < 1e100);
-        work[i] = -weight;
         corrected[i] = chosen - left;
         floored[i] = kept - chosen;
         unsound += admissible ? 0.0 : 1.0;
@@ -190,7 +200,8 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
     const auto combine = [&](double Ledger::*entry, double rate) {
         books.*entry = start * (base.*entry) + previous * (books.*entry + dt * rate);
     };
-    combine(&Ledger::body_force_work, dz * sum_in_lanes(work, nz));
+    combine(&Ledger::body_force_work, -gravity * dz * at(rates_.mass, -1));
+    combine(&Ledger::gravity_work, -setup_.gravity * dz * at(rates_.mass, -1));
     combine(&Ledger::boundary_gain, at(rates_.energy, -1) - at(rates_.energy, nz));
     combine(&Ledger::plate_impulse, at(rates_.momentum_z, -1));
     combine(&Ledger::lid_impulse, at(rates_.momentum_z, nz));

@@ -55,6 +55,7 @@ Evolution::Evolution(Setup setup)
     moves_along_x_ = grid().nx > 1 || moves(setup_.flow.velocity_x);
     moves_along_y_ = grid().ny > 1 || moves(setup_.flow.velocity_y);
     initial_energy_ = total_energy();
+    initial_potential_energy_ = potential_energy();
 }
 
 int Evolution::threads() const {
@@ -228,10 +229,22 @@ double Evolution::total_energy() const {
     return all * grid().dz / static_cast<double>(grid().columns());
 }
 
+double Evolution::potential_energy() const {
+    double all = 0.0;
+    for (std::int64_t column = 0; column < grid().columns(); ++column) {
+        double moment = 0.0;
+        const double* n = flow().density.data() + grid().first(column);
+        for (std::int64_t i = 0; i < grid().nz; ++i) moment += n[i] * grid().centre(i);
+        all += moment;
+    }
+    return setup_.gravity * all * grid().dz / static_cast<double>(grid().columns());
+}
+
 Ledger Evolution::ledger() const {
     Ledger sum;
     for (const Ledger& column : books_) {
         sum.body_force_work += column.body_force_work;
+        sum.gravity_work += column.gravity_work;
         sum.collisional_loss += column.collisional_loss;
         sum.floor_gain += column.floor_gain;
         sum.dual_energy_gain += column.dual_energy_gain;
@@ -240,11 +253,12 @@ Ledger Evolution::ledger() const {
         sum.lid_impulse += column.lid_impulse;
     }
     const double share = 1.0 / static_cast<double>(books_.size());
-    for (double* entry : {&sum.body_force_work, &sum.collisional_loss, &sum.floor_gain, &sum.dual_energy_gain,
-                          &sum.boundary_gain, &sum.plate_impulse, &sum.lid_impulse})
+    for (double* entry : {&sum.body_force_work, &sum.gravity_work, &sum.collisional_loss, &sum.floor_gain,
+                          &sum.dual_energy_gain, &sum.boundary_gain, &sum.plate_impulse, &sum.lid_impulse})
         *entry *= share;
     sum.energy = total_energy();
     sum.initial_energy = initial_energy_;
+    sum.potential_gain = potential_energy() - initial_potential_energy_;
     return sum;
 }
 
@@ -262,6 +276,7 @@ void Evolution::save(files::CheckpointWriter& out) const {
     out.put("continuum/temperature", flow().temperature);
     out.put("continuum/books", books_);
     out.put("continuum/initial_energy", initial_energy_);
+    out.put("continuum/initial_potential_energy", initial_potential_energy_);
     out.put("continuum/steps", steps_);
     out.put("continuum/repeated_steps", repeated_);
 }
@@ -275,6 +290,7 @@ void Evolution::restore(const files::CheckpointReader& in) {
     in.take_into("continuum/temperature", span(setup_.flow.temperature));
     in.take_into("continuum/books", span(books_));
     initial_energy_ = in.take_one<double>("continuum/initial_energy");
+    initial_potential_energy_ = in.take_one<double>("continuum/initial_potential_energy");
     steps_ = in.take_one<std::int64_t>("continuum/steps");
     repeated_ = in.take_one<std::int64_t>("continuum/repeated_steps");
 }

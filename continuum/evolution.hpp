@@ -81,7 +81,7 @@ class Evolution : public Method {
     std::int64_t rows_with_gas() const;
     void sweep_along_x(const Sweeps& sweeps, std::int64_t rows, Workspace& work);
     void sweep_along_y(const Sweeps& sweeps, std::int64_t rows, bool first_sweep, Workspace& work);
-    void sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, Workspace& work);
+    void sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, double gravity, Workspace& work);
     void sweep_row(Direction direction, std::int64_t row, std::int64_t from, std::int64_t to, const Sweeps& sweeps,
                    std::int64_t rows, bool first_sweep, Workspace& work);
     double stress_below_wall(const Stencil& stencil, std::int64_t face) const;
@@ -107,6 +107,7 @@ class Evolution : public Method {
     static std::size_t thread();
     void copy_column(const Flow& from, Flow& to, std::int64_t column) const;
     double total_energy() const;
+    double potential_energy() const;
     [[noreturn]] void fail(double t, double dt) const;
 
     Setup setup_;
@@ -125,7 +126,7 @@ class Evolution : public Method {
     std::vector<double> thermal_speed_;  // sqrt(T), for the horizontal stresses
     std::vector<Workspace> work_;
     std::vector<Ledger> books_, base_books_, start_books_;  // one a column, so that sums do not depend on threads
-    double initial_energy_ = 0.0;
+    double initial_energy_ = 0.0, initial_potential_energy_ = 0.0;
     std::int64_t steps_ = 0;
     std::int64_t repeated_ = 0;
     std::int64_t relaxations_ = 0;

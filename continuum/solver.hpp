@@ -22,11 +22,13 @@ struct ColumnView {
 
 /// Totals per horizontal area, since the start. Energies are in the frame of the plate:
 /// energy = initial_energy + body_force_work - collisional_loss + floor_gain + dual_energy_gain + boundary_gain, to
-/// round-off.
+/// round-off; and potential_gain = -gravity_work to round-off (finite volumes between ends that nothing passes).
 struct Ledger {
     double energy = 0.0;  // 3/2 n T + n u^2 / 2, now
     double initial_energy = 0.0;
     double body_force_work = 0.0;   // of gravity and of the frame's acceleration
+    double gravity_work = 0.0;      // of gravity alone, which is a part of it
+    double potential_gain = 0.0;    // g times what n z has gained since the start, from the state
     double collisional_loss = 0.0;  // the sink gamma
     double floor_gain = 0.0;        // heat added where the temperature met its floor
     double dual_energy_gain = 0.0;  // difference where the internal energy equation is trusted over the total energy
@@ -37,8 +39,8 @@ struct Ledger {
 
 class Solver {
   public:
-    /// Builds the scene's initial state at cycle 0, phase 0 (or initial.phase of a file). Throws scene::SceneError (with the place) for a name of
-    /// [continuum] that no table has or values that contradict each other.
+    /// Builds the scene's initial state at cycle 0, phase 0 (or initial.phase of a file). Throws scene::SceneError
+    /// (with the place) for a name of [continuum] that no table has or values that contradict each other.
     explicit Solver(const scene::Scene& scene);
     ~Solver();
     Solver(Solver&&) noexcept;

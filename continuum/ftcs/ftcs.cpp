@@ -86,6 +86,7 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
     floor_density_ = setup_.choices.floor_density * mass() / (grid().dz * static_cast<double>(grid().nz));
     for (std::int64_t c = 0; c < grid().columns(); ++c) enforce_walls(c);
     initial_energy_ = energy();
+    initial_potential_energy_ = potential_energy();
     initial_mass_ = mass();
 }
 
@@ -179,6 +180,7 @@ void Ftcs::step(double t, double dt) {
     for (std::int64_t c = 0; c < columns; ++c) enforce_walls(c);
     const double share = grid().dz / static_cast<double>(columns);
     body_force_work_ -= dt * gravity * weight * share;
+    gravity_work_ -= dt * setup_.gravity * weight * share;
     collisional_loss_ += books.loss * share;
     floor_gain_ += books.heat_of_floor * share;
     floor_mass_ += books.mass_of_floor * share;
@@ -274,11 +276,23 @@ double Ftcs::energy() const {
     return sum * grid().dz / static_cast<double>(grid().columns());
 }
 
+double Ftcs::potential_energy() const {
+    double moment = 0.0;  // the lowest node lies at height 0
+    for (std::int64_t c = 0; c < grid().columns(); ++c) {
+        const double* n = now_.density.data() + nodes_.first(c);
+        for (std::int64_t k = 1; k < grid().nz; ++k) moment += n[k] * static_cast<double>(k);
+        moment += 0.5 * n[grid().nz] * static_cast<double>(grid().nz);
+    }
+    return setup_.gravity * moment * grid().dz * grid().dz / static_cast<double>(grid().columns());
+}
+
 Ledger Ftcs::ledger() const {
     Ledger l;
     l.energy = energy();
     l.initial_energy = initial_energy_;
     l.body_force_work = body_force_work_;
+    l.gravity_work = gravity_work_;
+    l.potential_gain = potential_energy() - initial_potential_energy_;
     l.collisional_loss = collisional_loss_;
     l.floor_gain = floor_gain_;
     l.dual_energy_gain = l.energy - (initial_energy_ + body_force_work_ - collisional_loss_ + floor_gain_);
@@ -327,8 +341,9 @@ void Ftcs::save(files::CheckpointWriter& out) const {
     out.put("continuum/velocity_y", now_.velocity_y);
     out.put("continuum/velocity_z", now_.velocity_z);
     out.put("continuum/temperature", now_.temperature);
-    out.put("continuum/ftcs", std::vector<double>{body_force_work_, collisional_loss_, floor_gain_, floor_mass_,
-                                                  initial_energy_, floor_density_, initial_mass_});
+    out.put("continuum/ftcs",
+            std::vector<double>{body_force_work_, collisional_loss_, floor_gain_, floor_mass_, initial_energy_,
+                                floor_density_, initial_mass_, gravity_work_, initial_potential_energy_});
     out.put("continuum/steps", steps_);
 }
 
@@ -339,7 +354,7 @@ void Ftcs::restore(const files::CheckpointReader& in) {
     in.take_into("continuum/velocity_y", span(now_.velocity_y));
     in.take_into("continuum/velocity_z", span(now_.velocity_z));
     in.take_into("continuum/temperature", span(now_.temperature));
-    std::vector<double> books(7);
+    std::vector<double> books(9);
     in.take_into("continuum/ftcs", span(books));
     body_force_work_ = books[0];
     collisional_loss_ = books[1];
@@ -348,6 +363,8 @@ void Ftcs::restore(const files::CheckpointReader& in) {
     initial_energy_ = books[4];
     floor_density_ = books[5];
     initial_mass_ = books[6];
+    gravity_work_ = books[7];
+    initial_potential_energy_ = books[8];
     steps_ = in.take_one<std::int64_t>("continuum/steps");
     closed_ = false;
 }

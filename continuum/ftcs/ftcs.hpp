@@ -72,6 +72,7 @@ class Ftcs : public Method {
     int threads() const;
     [[noreturn]] void fail(double t, double dt) const;
     double energy() const;
+    double potential_energy() const;
 
     Setup setup_;
     mutable Flow cells_;  // filled when flow() is asked for
@@ -84,8 +85,8 @@ class Ftcs : public Method {
     double floor_density_ = 0.0;
     double smallest_spacing_ = 1.0;
     double strength_ = 0.0;  // C_AD
-    double body_force_work_ = 0.0, collisional_loss_ = 0.0, floor_gain_ = 0.0, floor_mass_ = 0.0;
-    double initial_energy_ = 0.0, initial_mass_ = 0.0;
+    double body_force_work_ = 0.0, gravity_work_ = 0.0, collisional_loss_ = 0.0, floor_gain_ = 0.0, floor_mass_ = 0.0;
+    double initial_energy_ = 0.0, initial_potential_energy_ = 0.0, initial_mass_ = 0.0;
     std::int64_t steps_ = 0;
     bool closed_ = false;  // whether pressure and coefficients are those of now_
 };
