@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <sstream>
 
 #include "continuum/initial_state.hpp"
@@ -33,6 +34,16 @@ Notes notes_of_scene(const scene::Scene& scene) {
     if (continuum::resolve_dimension(scene) > 1 && even && scene.initial.file.empty())
         notes.emplace_back("All columns start equal and stay equal: initial.noise (0.01, say) lets waves grow.");
     return notes;
+}
+
+Notes notes_of_upper_end(const scene::Scene& scene, double force_over_weight) {
+    // ch4_shock: 2e-4 goes with a shift of z_cm by 0.07 %, 3e-6 with 0.001 % (docs/numerics.md).
+    constexpr double of_gas = 1e-4;
+    if (std::abs(force_over_weight) <= of_gas) return {};
+    return {fmt::format(
+        "The upper end at continuum.lid = {:g} bears {:.2g} of the layer's weight (limit {:g}): gas reaches "
+        "it, and its height shapes the answer; raise continuum.lid.",
+        scene.continuum.lid, force_over_weight, of_gas)};
 }
 
 std::string joined(const Notes& notes) {

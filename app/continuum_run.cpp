@@ -145,9 +145,18 @@ void ContinuumRun::restore(const files::CheckpointReader& in) {
     }
 }
 
+double ContinuumRun::force_on_upper_end() const {
+    const auto averaged = static_cast<std::size_t>(scene_.sample.average * scene_.sample.phases);
+    if (series_.rows() < 2) return 0.0;
+    const std::size_t last = series_.rows() - 1, first = last > averaged ? last - averaged : 0;
+    const double impulse = series_.value(last, "lid_impulse") - series_.value(first, "lid_impulse");
+    return impulse / ((series_.time(last) - series_.time(first)) * series_.value(last, "mass"));
+}
+
 Notes ContinuumRun::notes() const {
     Notes notes = notes_of_scene(scene_);
     for (const std::string& warning : compare::warnings(validity())) notes.push_back(warning);
+    for (std::string& note : notes_of_upper_end(scene_, force_on_upper_end())) notes.push_back(std::move(note));
     return notes;
 }
 

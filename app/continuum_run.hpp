@@ -51,6 +51,9 @@ class ContinuumRun {
   private:
     ContinuumFrame frame() const;
     compare::Validity validity_now() const;
+    /// Mean normal force on the upper end over the cycles averaged, per weight of the layer; 0 before the second
+    /// sample.
+    double force_on_upper_end() const;
 
     scene::Scene scene_;
     continuum::Solver solver_;

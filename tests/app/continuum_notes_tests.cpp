@@ -59,3 +59,21 @@ TEST_CASE("a frictional scene says that its continuum has none") {
     CHECK(in_file[0] == notes[0]);
     for (const std::string& note : run("", "smooth").second) CHECK_THAT(note, !Contains("friction"));
 }
+
+TEST_CASE("a run whose gas reaches the upper end says so, one whose gas does not is silent") {
+    const support::TemporaryFolder folder;
+    const auto said = [&](const std::string& lid) {
+        const auto result = support::shaken("continuum -q " SHAKEN_SOURCE_DIR
+                                            "/data/scenes/ch4_shock.toml --set continuum.spacing=0.5 "
+                                            "--set sample.settle=8 --set sample.average=4 --set sample.phases=20 "
+                                            "--set sample.frames=0 --set continuum.lid=" +
+                                            lid + " --out " + (folder / lid).string());
+        REQUIRE(result.code == 0);
+        const shaken::files::Hdf5File file(folder / lid / "continuum.h5", shaken::files::Open::read);
+        CHECK_THAT(result.text, Contains(file.read_text("/run/notes")));
+        return file.read_text("/run/notes");
+    };
+    // 2e-3 and 1e-5 of the layer's weight.
+    CHECK_THAT(said("80"), Contains("The upper end at continuum.lid = 80 bears 0.002") && Contains("raise continuum.lid"));
+    CHECK_THAT(said("120"), !Contains("upper end"));
+}
