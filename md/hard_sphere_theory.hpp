@@ -9,14 +9,16 @@
 
 namespace shaken::md::theory {
 
-/// Z of Kolafa, Labik and Malijevsky 2004 (Phys. Chem. Chem. Phys. 6, 2335), fluid branch, for phi up to about 0.5.
-inline double compressibility(double phi) {
-    constexpr double c[] = {1.0,       4.0,      6.0,        2.3647684, -0.8698551, 1.1062803,
-                            -1.095049, 0.637614, -0.2279397, 0.1098948, -0.00906797};
-    const double x = phi / (1.0 - phi);
+/// Z of the fluid, Kolafa, Labik and Malijevsky 2004 (Phys. Chem. Chem. Phys. 6, 2335): a series in x = phi/(1 - phi).
+/// The paper could not be read. Its coefficients are as others quote them; the powers 10, 14 and 22 of the last three
+/// are those under which the series agrees with simulations (docs/validation.md). Fluid only: above phi = 0.571 its
+/// pressure falls, from 0.595 on it is negative.
+inline double compressibility_fluid(double phi) {
+    const double x = phi / (1.0 - phi), x2 = x * x, x4 = x2 * x2, x8 = x4 * x4;
+    constexpr double low[] = {1.0, 4.0, 6.0, 2.3647684, -0.8698551, 1.1062803, -1.095049, 0.637614};
     double z = 0.0;
-    for (int k = 10; k >= 0; --k) z = z * x + c[k];
-    return z;
+    for (int k = 7; k >= 0; --k) z = z * x + low[k];
+    return z + x8 * x2 * (-0.2279397 + x4 * (0.1098948 - 0.00906797 * x8));
 }
 
 /// Z of Carnahan and Starling 1969.
@@ -31,6 +33,15 @@ inline constexpr double freezing = 0.494, melting = 0.545;
 inline double compressibility_crystal(double phi) {
     const double z = phi * 3.0 * std::numbers::sqrt2 / std::numbers::pi;  // of close packing
     return 3.0 / (1.0 - z) - 0.5921 * (z - 0.7072) / (z - 0.601);
+}
+
+/// Z at equilibrium: of the fluid up to freezing, of the crystal from melting on. Between them both phases stand side
+/// by side, and this is a straight line from one to the other: good for estimates of time scales, no reference.
+inline double compressibility(double phi) {
+    if (phi <= freezing) return compressibility_fluid(phi);
+    if (phi >= melting) return compressibility_crystal(phi);
+    const double share = (phi - freezing) / (melting - freezing);
+    return (1.0 - share) * compressibility_fluid(freezing) + share * compressibility_crystal(melting);
 }
 
 /// chi from Z = 1 + 4 phi chi.

@@ -118,10 +118,11 @@ def rests(point, numbers):
 
 
 def fluid_pressure(phi):
-    """Kolafa, Labik and Malijevsky 2004."""
+    """Kolafa, Labik and Malijevsky 2004, up to melting: md/hard_sphere_theory.hpp."""
     x = phi / (1.0 - phi)
-    coefficients = (1.0, 4.0, 6.0, 2.3647684, -0.8698551, 1.1062803, -1.095049, 0.637614, -0.2279397, 0.1098948, -0.00906797)
-    return sum(c * x**k for k, c in enumerate(coefficients))
+    coefficients = {0: 1.0, 1: 4.0, 2: 6.0, 3: 2.3647684, 4: -0.8698551, 5: 1.1062803, 6: -1.095049, 7: 0.637614,
+                    10: -0.2279397, 14: 0.1098948, 22: -0.00906797}
+    return sum(c * x**k for k, c in coefficients.items())
 
 
 def crystal_pressure(phi):
