@@ -32,7 +32,7 @@ enum class Outcome { finished, stopped };
 using AskedToStop = std::function<bool()>;
 
 /// An MD run looks for it so often between sample instants: some tenth of a second, which packed grains stretch.
-inline constexpr std::int64_t collisions_between_looks = 100'000;
+inline constexpr std::int64_t contacts_between_looks = 100'000;
 
 /// What the loop needs of an engine's run:
 ///   std::int64_t next_sample() const          number of the sample instant to come; phases of them a cycle

@@ -26,7 +26,7 @@ class EventLoop final : public Engine {
   public:
     EventLoop(const Setup& setup, const Law& law);
 
-    bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_pair_collisions) override;
+    bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_contacts) override;
     void advance_collisions(std::int64_t pair_collisions) override;
     ContactEvent advance_contact() override;
     std::int64_t cycle() const override { return cycle_; }
@@ -45,7 +45,9 @@ class EventLoop final : public Engine {
     // What a particle's event is about; a partner below these is another particle.
     static constexpr std::uint32_t leaves_centre = 0xffffffffu, meets_plate = 0xfffffffeu, meets_ceiling = 0xfffffffdu;
 
-    void run(double until, std::int64_t last_pair_collision);
+    /// Events up to and including this instant, or until done() says so.
+    template <class Done>
+    void run(double until, const Done& done);
     void process(std::uint32_t i);
     void predict(std::uint32_t i);
     void collide(std::uint32_t i, std::uint32_t j);

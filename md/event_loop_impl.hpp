@@ -16,8 +16,20 @@
 namespace shaken::md {
 
 /// Relative to the plate, in sqrt(g sigma). Slower rebounds leave at this speed: a hop of 5e-9 sigma at gravity 1, and
-/// at most 5000 hops per sqrt(sigma/g) of a particle that rides on the plate.
+/// at most 5000 (1 + Gamma) hops per sqrt(sigma/g) of a particle that rides on a plate of peak acceleration Gamma.
 inline constexpr double slowest_rebound = 1e-4;
+/// The same where the plate falls faster than gravity, relative to the plate's speed and one: the gap then opens by
+/// itself, but a particle at rest on the plate must not be made to approach it by round-off.
+inline constexpr double slowest_rebound_in_fall = 1e-12;
+
+/// The frame follows the layer at least this often, in sqrt(sigma/g): within an epoch heights in it grow as the square
+/// of time, and their round-off with them. A plate of f > 1/32 has sixteen epochs a cycle.
+inline constexpr double longest_epoch = 2.0;
+inline constexpr int fewest_epochs = 16;
+
+inline int epochs_of_layer(double period) {
+    return std::max(fewest_epochs, static_cast<int>(std::ceil(period / longest_epoch)));
+}
 
 /// A contact farther than this from touching means a broken invariant, not round-off.
 inline constexpr double contact_tolerance = 1e-7;
@@ -31,7 +43,7 @@ EventLoop<Law, Layered>::EventLoop(const Setup& setup, const Law& law)
       period_(setup.period),
       law_(law),
       epochs_(setup.options.frames_per_cycle > 0 ? setup.options.frames_per_cycle
-              : Layered                          ? 16
+              : Layered                          ? epochs_of_layer(setup.period)
                                                  : 1),
       contacts_between_sorts_(setup.options.contacts_between_sorts > 0.0 ? setup.options.contacts_between_sorts
                                                                          : 100.0),
@@ -131,8 +143,9 @@ void EventLoop<Law, Layered>::start_next_epoch() {
 }
 
 template <class Law, bool Layered>
-void EventLoop<Law, Layered>::run(double until, std::int64_t last_pair_collision) {
-    while (counters_.pair_collisions < last_pair_collision) {
+template <class Done>
+void EventLoop<Law, Layered>::run(double until, const Done& done) {
+    while (!done()) {
         const QueuedEvent event = queue_.front();
         if (!(event.time <= until)) return;
         now_ = event.time;
@@ -141,20 +154,20 @@ void EventLoop<Law, Layered>::run(double until, std::int64_t last_pair_collision
 }
 
 template <class Law, bool Layered>
-bool EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_pair_collisions) {
-    const std::int64_t last =
-        most_pair_collisions < std::numeric_limits<std::int64_t>::max() - counters_.pair_collisions
-            ? counters_.pair_collisions + most_pair_collisions
-            : std::numeric_limits<std::int64_t>::max();
+bool EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_contacts) {
+    const std::int64_t last = most_contacts < std::numeric_limits<std::int64_t>::max() - contacts()
+                                  ? contacts() + most_contacts
+                                  : std::numeric_limits<std::int64_t>::max();
+    const auto short_of_it = [&] { return contacts() >= last; };
     while (cycle_ < cycle || (cycle_ == cycle && epoch_end() < time_in_cycle && epoch_ + 1 < epochs_)) {
-        run(epoch_end(), last);
-        if (counters_.pair_collisions >= last) return false;
+        run(epoch_end(), short_of_it);
+        if (short_of_it()) return false;
         start_next_epoch();
     }
     if (cycle_ > cycle || time_in_cycle <= now_) return true;
     const double until = std::min(time_in_cycle, epoch_end());
-    run(until, last);
-    if (counters_.pair_collisions >= last) return false;
+    run(until, short_of_it);
+    if (short_of_it()) return false;
     now_ = until;
     return true;
 }
@@ -162,9 +175,10 @@ bool EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycl
 template <class Law, bool Layered>
 void EventLoop<Law, Layered>::advance_collisions(std::int64_t pair_collisions) {
     const std::int64_t last = counters_.pair_collisions + pair_collisions;
+    const auto all_done = [&] { return counters_.pair_collisions >= last; };
     while (true) {
-        run(epoch_end(), last);
-        if (counters_.pair_collisions >= last) return;
+        run(epoch_end(), all_done);
+        if (all_done()) return;
         start_next_epoch();
     }
 }
@@ -318,8 +332,8 @@ void EventLoop<Law, Layered>::collide_with_plate(std::uint32_t i) {
         Particle& p = particles_[i];
         p.move_to(now_);
         const double before = p.velocity_z + frame_.velocity(now_), plate = box_.plate->velocity(now_);
-        // Where the plate falls faster than gravity a slow rebound opens by itself and needs no cut-off.
-        const double cut_off = box_.plate->acceleration(now_) > -1.0 ? slowest_rebound : 0.0;
+        const double cut_off =
+            box_.plate->acceleration(now_) > -1.0 ? slowest_rebound : slowest_rebound_in_fall * (1.0 + std::abs(plate));
         const double since = since_last_contact(i, i);
         const auto restitution = [&](double speed) { return law_(speed, since); };
         const WallImpulse impulse = collide_wall(before, plate, 1.0, restitution, cut_off);

@@ -107,8 +107,8 @@ void describe_layer(Scene& s, ParameterVisitor& v) {
     v.section("plate", "the oscillating plate, z_p = A (1 - cos 2 pi f t)");
     v.number({"acceleration", "g", "peak acceleration over gravity, Gamma = 4 pi^2 f^2 A"}, s.plate.acceleration,
              at_least_zero);
-    v.optional_number({"frequency", "sqrt(g/sigma)", "f; or give frequency_star"}, s.plate.frequency, positive);
-    v.optional_number({"frequency_star", "", "f* = f sqrt(H); or give frequency"}, s.plate.frequency_star, positive);
+    v.optional_number({"frequency", "sqrt(g/sigma)", "f; or give frequency_star"}, s.plate.frequency, not_at_rest);
+    v.optional_number({"frequency_star", "", "f* = f sqrt(H); or give frequency"}, s.plate.frequency_star, not_at_rest);
 
     v.section("particles", "the grains: spheres of diameter 1 and mass 1");
     v.optional_whole({"number", "", "how many, N; or give depth"}, s.particles.number, counts);

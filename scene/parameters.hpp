@@ -27,6 +27,8 @@ struct Range {
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 inline constexpr Range any_number{};
 inline constexpr Range positive{0.0, unbounded, true};
+/// Of a frequency: a cycle of more than a million units of time has a clock that is too coarse for contacts.
+inline constexpr Range not_at_rest{1e-6, unbounded};
 inline constexpr Range at_least_zero{0.0, unbounded, false};
 
 /// What is said of a parameter besides its value.

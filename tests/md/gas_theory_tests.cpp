@@ -115,9 +115,10 @@ TEST_CASE("a cooling gas has the fourth cumulant of direct simulation", "[slow]"
     constexpr std::int64_t particles = 20000;
     std::vector<double> cumulant;
     for (std::uint64_t seed = 1; seed <= 24; ++seed) {
-        auto system = small::gas(particles, 0.015, c.restitution);
+        // At 0.01 the density itself moves the rate by 1 % (docs/validation.md); the reference is dilute.
+        auto system = small::gas(particles, 0.002, c.restitution);
         system.seed = seed;
-        system.period = 20.0;
+        system.period = 150.0;
         md::Simulation simulation(system);
         double sum = 0.0;
         constexpr int samples = 4;
