@@ -48,8 +48,8 @@ void choose_sweep(Kernels& kernels, const scene::Continuum& choices) {
             kernels.sweep = sweep<PairCorrelation, Flux, Reconstruct>;
             // Across columns always the high order: cells are ten times wider than high there, and a pattern's wave has
             // ten of them, of which MUSCL damps as much as the gas does (tests/continuum/horizontal_waves_tests.cpp).
-            kernels.sweep_horizontal = sweep<PairCorrelation, typename Flux::InSlowFlow, Weno5>;
-            kernels.sweep_thin = sweep<PairCorrelation, typename Flux::InSlowFlow, Reconstruct>;
+            kernels.sweep_horizontal = sweep<PairCorrelation, typename Flux::InSlowFlow, Weno5<false>>;
+            kernels.sweep_thin = sweep<PairCorrelation, typename Flux::InSlowFlow, typename Reconstruct::AcrossColumns>;
             return true;
         });
     };

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Slope limiters for MUSCL: the slope of a cell from the steps below (a) and above (b) it. All are symmetric, odd,
-// zero at extrema, and total variation diminishing (Sweby 1984); at smooth extrema they fall to first order.
+// zero at extrema, and total variation diminishing (Sweby 1984); at smooth extrema they fall to first order. In a
+// strong shock (shock.hpp) `in_shock` of the slope is left: van Leer's and the mean lie between the smaller step and
+// twice that, where behind a strong shock all above the smaller rings (docs/numerics.md).
 #pragma once
 
 #include <cmath>
@@ -19,6 +21,7 @@ namespace shaken::continuum {
 /// The smaller step. Roe 1986.
 struct LimiterMinmod {
     static constexpr std::string_view name = "minmod";
+    static constexpr double in_shock = 1.0;
     [[gnu::always_inline]] static double slope(double a, double b) {
         return common_sign(a, b) * smaller(std::abs(a), std::abs(b));
     }
@@ -27,6 +30,7 @@ struct LimiterMinmod {
 /// The harmonic mean. van Leer 1974.
 struct LimiterVanLeer {
     static constexpr std::string_view name = "van_leer";
+    static constexpr double in_shock = 0.5;
     [[gnu::always_inline]] static double slope(double a, double b) {
         const double product = a * b;
         // The quotient stands outside the choice, or the loop around it does not vectorise.
@@ -39,6 +43,7 @@ struct LimiterVanLeer {
 /// Monotonized central: the mean, at most twice the smaller step. van Leer 1977.
 struct LimiterMonotonizedCentral {
     static constexpr std::string_view name = "mc";
+    static constexpr double in_shock = 0.5;
     [[gnu::always_inline]] static double slope(double a, double b) {
         const double least = smaller(0.5 * std::abs(a + b), 2.0 * smaller(std::abs(a), std::abs(b)));
         return common_sign(a, b) * least;
@@ -48,6 +53,7 @@ struct LimiterMonotonizedCentral {
 /// No slope: first order, Godunov's method.
 struct LimiterFirstOrder {
     static constexpr std::string_view name = "first_order";
+    static constexpr double in_shock = 1.0;
     [[gnu::always_inline]] static double slope(double, double) { return 0.0; }
 };
 

@@ -8,29 +8,44 @@
 #include <cstdint>
 
 #include "continuum/flux/face_state.hpp"
+#include "continuum/reconstruct/shock.hpp"
 #include "continuum/reconstruct/stencil.hpp"
 
 namespace shaken::continuum {
 
-template <class Limiter>
+/// With `flattens`, slopes are less steep in strong shocks.
+template <class Limiter, bool flattens = true>
 struct Muscl {
+    using AcrossColumns = Muscl<Limiter, false>;  // whose cells are too wide to hold a shock (shock.hpp)
+
     template <class Cells>
-    [[gnu::always_inline]] static double left(const Cells& q) {
-        return q[2] + 0.5 * Limiter::slope(q[2] - q[1], q[3] - q[2]);
+    [[gnu::always_inline]] static double left(const Cells& q, double half = 0.5) {
+        return q[2] + half * Limiter::slope(q[2] - q[1], q[3] - q[2]);
     }
     template <class Cells>
-    [[gnu::always_inline]] static double right(const Cells& q) {
-        return q[3] - 0.5 * Limiter::slope(q[3] - q[2], q[4] - q[3]);
+    [[gnu::always_inline]] static double right(const Cells& q, double half = 0.5) {
+        return q[3] - half * Limiter::slope(q[3] - q[2], q[4] - q[3]);
     }
 
     /// The gas just below and just above face f.
     [[gnu::always_inline]] static FaceValues below(const Stencil& s, std::int64_t f, double /*packing_density*/) {
-        return {left(CellsAround{s.density, f}), left(CellsAround{s.normal, f}), left(CellsAround{s.tangent_1, f}),
-                left(CellsAround{s.tangent_2, f}), left(CellsAround{s.temperature, f})};
+        const double half = half_cell(s, f);
+        return {left(CellsAround{s.density, f}, half), left(CellsAround{s.normal, f}, half),
+                left(CellsAround{s.tangent_1, f}, half), left(CellsAround{s.tangent_2, f}, half),
+                left(CellsAround{s.temperature, f}, half)};
     }
     [[gnu::always_inline]] static FaceValues above(const Stencil& s, std::int64_t f, double /*packing_density*/) {
-        return {right(CellsAround{s.density, f}), right(CellsAround{s.normal, f}), right(CellsAround{s.tangent_1, f}),
-                right(CellsAround{s.tangent_2, f}), right(CellsAround{s.temperature, f})};
+        const double half = half_cell(s, f);
+        return {right(CellsAround{s.density, f}, half), right(CellsAround{s.normal, f}, half),
+                right(CellsAround{s.tangent_1, f}, half), right(CellsAround{s.tangent_2, f}, half),
+                right(CellsAround{s.temperature, f}, half)};
+    }
+
+  private:
+    /// From a cell's middle to its face, less what a shock takes of the slope.
+    [[gnu::always_inline]] static double half_cell(const Stencil& s, std::int64_t f) {
+        if constexpr (flattens && Limiter::in_shock < 1.0) return in_strong_shock(s, f) ? 0.5 * Limiter::in_shock : 0.5;
+        return 0.5;
     }
 };
 

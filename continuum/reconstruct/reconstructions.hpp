@@ -35,7 +35,7 @@ struct SchemeWeno5 {
     template <class Use>
     static bool with_limiter(const scene::Choice& limiter, const Use& use) {
         choose(Limiters{}, "continuum.limiter", limiter, [](auto) { return true; });
-        return use(Weno5{});
+        return use(Weno5<>{});
     }
 };
 

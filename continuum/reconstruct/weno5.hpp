@@ -5,18 +5,23 @@
 //                        face
 // Cell values are averages of what is conserved, so mass, momentum and energy are reconstructed and turned into
 // velocity and temperature at the face: fifth order in one dimension, second order where two or three mix (one value a
-// face). A face where that leaves a density or temperature far from the cell's own, as beside a vacuum or in a shock of
-// cold gas, takes MUSCL's values.
+// face). A face where that leaves a density or temperature far from the cell's own, as beside a vacuum, and one in a
+// strong shock (shock.hpp) take MUSCL's values.
 #pragma once
 
 #include <cmath>
 
 #include "continuum/reconstruct/limiters.hpp"
 #include "continuum/reconstruct/muscl.hpp"
+#include "continuum/reconstruct/shock.hpp"
 
 namespace shaken::continuum {
 
+/// With `flattens`, a face in a strong shock takes MUSCL's values.
+template <bool flattens = true>
 struct Weno5 {
+    using AcrossColumns = Weno5<false>;  // whose cells are too wide to hold a shock (shock.hpp)
+
     /// Value at the edge between c and d of a profile with cell averages a to e.
     [[gnu::always_inline]] static double edge(double a, double b, double c, double d, double e) {
         const double p0 = (2.0 * a - 7.0 * b + 11.0 * c) * (1.0 / 6.0);
@@ -39,13 +44,15 @@ struct Weno5 {
     }
 
     [[gnu::always_inline]] static FaceValues below(const Stencil& s, std::int64_t f, double packing_density) {
-        return guarded<0, 1, 2, 3, 4>(s, f, Muscl<LimiterVanLeer>::below(s, f, packing_density), packing_density);
+        return guarded<0, 1, 2, 3, 4>(s, f, Limited::below(s, f, packing_density), packing_density);
     }
     [[gnu::always_inline]] static FaceValues above(const Stencil& s, std::int64_t f, double packing_density) {
-        return guarded<5, 4, 3, 2, 1>(s, f, Muscl<LimiterVanLeer>::above(s, f, packing_density), packing_density);
+        return guarded<5, 4, 3, 2, 1>(s, f, Limited::above(s, f, packing_density), packing_density);
     }
 
   private:
+    using Limited = Muscl<LimiterVanLeer, flattens>;
+
     [[gnu::always_inline]] static double square(double x) { return x * x; }
 
     struct Conserved {
@@ -73,7 +80,8 @@ struct Weno5 {
         const double u = momentum * per_density, u1 = momentum_1 * per_density, u2 = momentum_2 * per_density;
         const double temperature = (2.0 / 3.0) * (energy * per_density - 0.5 * (u * u + (u1 * u1 + u2 * u2)));
         const bool trusted = dense_enough & (density < 0.5 * (packing_density + cell_density)) &
-                             (temperature > 0.3 * cell_temperature) & (temperature < 3.0 * cell_temperature);
+                             (temperature > 0.3 * cell_temperature) & (temperature < 3.0 * cell_temperature) &
+                             !(flattens && in_strong_shock(s, f));
         return {trusted ? density : limited.density, trusted ? u : limited.normal, trusted ? u1 : limited.tangent_1,
                 trusted ? u2 : limited.tangent_2, trusted ? temperature : limited.temperature};
     }
