@@ -130,7 +130,8 @@ void Evolution::cool_and_diffuse(std::int64_t column, double dt, bool cools, Wor
     double *squares = start(0), *t = fields[0];  // d^2/3
     const double* t_whole = whole(0);
     std::fill(squares, squares + nz, 0.0);
-    for (std::size_t k = 1; k < changing; ++k) {
+    // u_z last: a sum in which x and y can be exchanged without another rounding.
+    for (std::size_t k = changing - 1; k >= 1; --k) {
         const double *u = fields[k], *u_whole = whole(k);
         for (std::int64_t i = 0; i < nz; ++i) squares[i] += (1.0 / 3.0) * ((u[i] - u_whole[i]) * (u[i] - u_whole[i]));
     }
@@ -191,48 +192,54 @@ void Evolution::cool_and_diffuse_once(std::int64_t column, double dt, bool cools
     };
     // The kinetic energy that momentum loses: w (du)^2 at each face, half to either cell, and n (u' - u)^2 / 2 in each
     // cell. Both are positive, and with u' they add up to the loss exactly.
-    const auto take_over = [&](double* velocity, const double* diffused) {
+    const auto take_over = [&](double* velocity, const double* diffused, double* into) {
         const double beneath = ring ? diffused[nz - 1] : diffused[0], beyond = ring ? diffused[0] : diffused[nz - 1];
 #pragma omp simd
         for (std::int64_t i = 0; i < nz; ++i) {
             const double below = diffused[i] - (i > 0 ? diffused[i - 1] : beneath);
             const double above = (i < nz - 1 ? diffused[i + 1] : beyond) - diffused[i];
             const double change = diffused[i] - velocity[i];
-            heat[i] += 0.5 * ((coupling[i] * (below * below) + coupling[i + 1] * (above * above)) +
+            into[i] += 0.5 * ((coupling[i] * (below * below) + coupling[i + 1] * (above * above)) +
                               density[i] * (change * change));
         }
         if (!ring) {
-            heat[0] += coupling[0] * (diffused[0] * diffused[0]);
-            heat[nz - 1] += coupling[nz] * (diffused[nz - 1] * diffused[nz - 1]);
+            into[0] += coupling[0] * (diffused[0] * diffused[0]);
+            into[nz - 1] += coupling[nz] * (diffused[nz - 1] * diffused[nz - 1]);
         }
         for (std::int64_t i = 0; i < nz; ++i) velocity[i] = diffused[i];
     };
-    const auto diffuse_one = [&](double* velocity) {
+    const auto diffuse_one = [&](double* velocity, double* into) {
         momentum(velocity, values);
         solve(density, {coupling, coupling});
-        take_over(velocity, values);
+        take_over(velocity, values, into);
     };
     const Boundaries& ends = setup_.boundaries;
     Ledger& books = books_[static_cast<std::size_t>(column)];
     couple(axial, ends.lower.end == End::wall, ends.upper.end == End::wall);
-    diffuse_one(setup_.flow.velocity_z.data() + first);
+    diffuse_one(setup_.flow.velocity_z.data() + first, heat);
     if (!ring) {
         books.plate_impulse -= dz * coupling[0] * values[0];
         books.lid_impulse += dz * coupling[nz] * values[nz - 1];
     }
     double *velocity_x = setup_.flow.velocity_x.data() + first, *velocity_y = setup_.flow.velocity_y.data() + first;
-    if (moves_along_x_ || moves_along_y_) couple(shear, false, false);
+    double* heat_of_shear = work.row(3);  // apart: x and y can be exchanged without another rounding
+    if (moves_along_x_ || moves_along_y_) {
+        couple(shear, false, false);
+        std::fill(heat_of_shear, heat_of_shear + nz, 0.0);
+    }
     if (moves_along_x_ && moves_along_y_ && !ring) {
         double* values_y = axial;
         momentum(velocity_x, values);
         momentum(velocity_y, values_y);
         solve_diffusion(nz, density, Couplings{coupling, coupling}, std::array{values, values_y}, ratio);
-        take_over(velocity_x, values);
-        take_over(velocity_y, values_y);
+        take_over(velocity_x, values, heat_of_shear);
+        take_over(velocity_y, values_y, heat_of_shear);
     } else {
-        if (moves_along_x_) diffuse_one(velocity_x);
-        if (moves_along_y_) diffuse_one(velocity_y);
+        if (moves_along_x_) diffuse_one(velocity_x, heat_of_shear);
+        if (moves_along_y_) diffuse_one(velocity_y, heat_of_shear);
     }
+    if (moves_along_x_ || moves_along_y_)
+        for (std::int64_t i = 0; i < nz; ++i) heat[i] += heat_of_shear[i];
 
     const double lower_temperature = ends.lower.temperature.value_or(0.0);
     const double upper_temperature = ends.upper.temperature.value_or(0.0);

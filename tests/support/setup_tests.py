@@ -3,6 +3,7 @@ import os
 import pathlib
 import shutil
 import subprocess
+import sys
 import tempfile
 
 setup = pathlib.Path(__file__).resolve().parents[2] / "scripts" / "setup"
@@ -15,7 +16,8 @@ def run(tools, lines, programs):
         folder = pathlib.Path(folder)
         (folder / "bin").mkdir()
         for name in (*USED, *tools):
-            (folder / "bin" / name).symlink_to(shutil.which(name))
+            # The interpreter itself: a python3 on the PATH may be a script that needs the rest of it.
+            (folder / "bin" / name).symlink_to(sys.executable if name == "python3" else shutil.which(name))
         for name, script in programs.items():
             (folder / "bin" / name).write_text(f"#!/bin/sh\n{script}\n")
             (folder / "bin" / name).chmod(0o755)
