@@ -107,7 +107,7 @@ TEST_CASE("each limit warns above it and is silent below") {
          {std::pair{words(1.01 * kn, 0.0, 0.0), "Knudsen"}, std::pair{words(0.0, 1.01 * wt, 0.0), "omega tau"},
           std::pair{words(0.0, 0.0, 1.01 * packed), "of the mass is above nu = 0.6"}}) {
         REQUIRE(warned.size() == 1);
-        CHECK_THAT(warned[0], Catch::Matchers::Contains(key));
+        CHECK_THAT(warned[0], Contains(key));
     }
     CHECK(words(2.0 * kn, 2.0 * wt, 2.0 * packed).size() == 3);
 }

@@ -112,8 +112,8 @@ TEST_CASE("below a stress-free end gas that parts along x is drawn up by the str
 
 TEST_CASE("the height of a stress-free end does not change a layer that does not reach it, that of a lid does") {
     const Seen low = shaken_under(25.0, "stress_free"), high = shaken_under(50.0, "stress_free");
-    // The gas above is thinner than 1e-6 of the layer's mass, and so is what it can do.
-    CHECK(largest_difference(low, high) < 2e-5);
+    // Truncation: the gas above decides the steps. 1.2e-4 at cfl 0.8; 8e-5 where cfl 0.2 leaves 2e-6 (ch5_growth, dz 0.5).
+    CHECK(largest_difference(low, high) < 2e-4);
     CHECK(std::abs(low.force) < 1e-5);
     CHECK(largest_difference(shaken_under(25.0, "lid"), shaken_under(50.0, "lid")) > 1e-3);
 }
@@ -127,6 +127,7 @@ TEST_CASE("a layer that names no upper end has a stress-free one, under ftcs the
     CHECK(upper({"continuum.scheme=ftcs"}) == "lid");
     CHECK(upper({"continuum.upper=lid"}) == "lid");
     const scene::Scene asked = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml",
-                                                 {"continuum.scheme=ftcs", "continuum.upper=stress_free"});
+                                                 {"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense",
+                                                  "continuum.upper=stress_free"});
     CHECK_THROWS_WITH(Solver(asked), Contains("--set continuum.upper") && Contains("ftcs"));
 }
