@@ -26,12 +26,13 @@ Notes notes_of_scene(const scene::Scene& scene) {
     Notes notes;
     if (scene.particles.friction.law != scene::FrictionLaw::none)
         notes.emplace_back("The continuum has no friction: particles.friction acts in the MD alone.");
-    const bool even = !scene.initial.uneven();
-    if (scene.continuum.dimension.name == "auto" && even && waves_fit(scene))
+    // By what runs, not by the word in the scene: a resumed run knows its scene with "auto" already resolved.
+    const bool one_column = continuum::resolve_dimension(scene) == 1;
+    if (one_column && waves_fit(scene))
         notes.push_back(waves_that_fit(scene) +
-                        ", but continuum.dimension = \"auto\" takes one column, because the start is even: "
-                        "initial.noise (0.01, say) lets them grow.");
-    if (continuum::resolve_dimension(scene) > 1 && even && scene.initial.file.empty())
+                        ", but the continuum takes one column: continuum.dimension = \"auto\" with initial.noise = "
+                        "0.01 lets them grow.");
+    if (!one_column && !scene.initial.uneven() && scene.initial.file.empty())
         notes.emplace_back("All columns start equal and stay equal: initial.noise (0.01, say) lets waves grow.");
     return notes;
 }

@@ -26,9 +26,9 @@ TEST_CASE("a continuum that takes one column where waves fit says so, with the k
     const Notes notes = notes_with({"initial.noise=0", "plate.frequency_star=0.4", "continuum.dimension=auto"});
     REQUIRE(notes.size() == 1);
     CHECK_THAT(notes[0], Contains("Waves some 25.3 sigma long fit in the box of 40 x 10") && Contains("one column") &&
-                             Contains("initial.noise"));
+                             Contains("continuum.dimension") && Contains("initial.noise"));
     CHECK(notes_with({"initial.noise=0.01", "continuum.dimension=auto"}).empty());
-    CHECK(notes_with({"initial.noise=0", "continuum.dimension=1"}).empty());
+    CHECK(notes_with({"initial.noise=0", "plate.frequency_star=0.4", "continuum.dimension=1"}) == notes);
     const Notes equal = notes_with({"initial.noise=0", "continuum.dimension=2"});
     REQUIRE(equal.size() == 1);
     CHECK_THAT(equal[0], Contains("All columns start equal"));
@@ -37,9 +37,9 @@ TEST_CASE("a continuum that takes one column where waves fit says so, with the k
               .empty());
 }
 
-TEST_CASE("a frictional scene says that its continuum has none") {
+TEST_CASE("what a continuum run says of its scene stands on the terminal and in its file") {
     const std::string friction = "particles.friction={law=\"walton\",beta0=0.35,mu=0.5}";
-    const Notes notes = notes_with({"continuum.dimension=1", friction});
+    const Notes notes = notes_with({"initial.noise=0.01", "continuum.dimension=auto", friction});
     REQUIRE(notes.size() == 1);
     CHECK_THAT(notes[0], Contains("no friction") && Contains("particles.friction"));
 
@@ -47,16 +47,19 @@ TEST_CASE("a frictional scene says that its continuum has none") {
     const auto run = [&](const std::string& more, const std::string& to) {
         const auto result = support::shaken(
             "continuum -q " + stripes +
-            " --set continuum.dimension=1 --set sample.settle=0 --set sample.average=1 --set sample.phases=20" + more +
-            " --out " + (folder / to).string());
+            " --set continuum.dimension=auto --set sample.settle=0 --set sample.average=1 --set sample.phases=20" +
+            more + " --out " + (folder / to).string());
         REQUIRE(result.code == 0);
         const shaken::files::Hdf5File file(folder / to / "continuum.h5", shaken::files::Open::read);
         return std::pair(result.text, shaken::app::parted(file.read_text("/run/notes")));
     };
     const auto [terminal, in_file] = run(" --set '" + friction + "'", "friction");
     CHECK_THAT(terminal, Contains("note: " + notes[0]));
-    REQUIRE_FALSE(in_file.empty());
+    REQUIRE(in_file.size() >= 2);
     CHECK(in_file[0] == notes[0]);
+    // "auto" is resolved before the run begins, and the run says what came of it.
+    CHECK_THAT(in_file[1], Contains("fit in the box of 42 x 42") && Contains("takes one column"));
+    CHECK_THAT(terminal, Contains("note: " + in_file[1]));
     for (const std::string& note : run("", "smooth").second) CHECK_THAT(note, !Contains("friction"));
 }
 
