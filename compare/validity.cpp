@@ -82,22 +82,19 @@ std::vector<std::string> warnings(const ValidityOfRun& run) {
     std::vector<std::string> sentences;
     const Validity& m = run.mean;
     if (m.omega_tau > omega_tau_limit)
-        sentences.push_back(
-            fmt::format("omega tau is {:.2g}, above {:g}: the plate moves faster than particles collide, and the "
-                        "continuum takes up "
-                        "more heat than grains do (docs/choosing.md).",
-                        m.omega_tau, omega_tau_limit));
+        sentences.push_back(fmt::format(
+            "omega tau is {:.2g}, above {:g}: the plate moves faster than particles collide, and the continuum may be "
+            "far hotter than grains (docs/choosing.md).",
+            m.omega_tau, omega_tau_limit));
     if (m.knudsen > knudsen_limit)
-        sentences.push_back(
-            fmt::format("The Knudsen number is {:.2g}, above {:g}: T changes much over a mean free path, and the "
-                        "continuum is hotter "
-                        "than grains (docs/choosing.md).",
-                        m.knudsen, knudsen_limit));
+        sentences.push_back(fmt::format(
+            "The Knudsen number is {:.2g}, above {:g}: T changes much over a mean free path, and the continuum may be "
+            "hotter than grains (docs/choosing.md).",
+            m.knudsen, knudsen_limit));
     if (m.packed_share > packed_share_limit)
         sentences.push_back(
             fmt::format("{:.2g} % of the mass is above nu = {:g}, more than {:g} %: viscosity and conductivity are not "
-                        "known there, "
-                        "and they decide at which acceleration waves begin (docs/choosing.md).",
+                        "known there, and they decide at which acceleration waves begin (docs/choosing.md).",
                         100.0 * m.packed_share, packed_volume_fraction, 100.0 * packed_share_limit));
     return sentences;
 }

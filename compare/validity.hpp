@@ -44,9 +44,9 @@ ValidityOfRun over_run(std::span<const Validity> states);
 /// Name and value of each number, as files have them.
 std::vector<std::pair<std::string, double>> named(const ValidityOfRun& run);
 
-/// Limits on the means of a run (docs/choosing.md, `scripts/validity_study.py`). Below the first two, the mean T of 9
-/// measured layers is 0.99 to 1.18 times that of grains; above, 1.01 to 4.5 times (omega tau), 1.08 to 1.53 times (Kn,
-/// of which 0.1 is also the usual limit of Navier and Stokes' equations: Bird 1994).
+/// Limits on the means of a run (docs/choosing.md, `scripts/validity_study.py`). Below the first two, the mean T of
+/// eight measured layers is 0.98 to 1.18 times that of grains; above, 1.01 to 4.4 times (omega tau), 1.07 to 1.50 times
+/// (Kn, of which 0.1 is also the usual limit of Navier and Stokes' equations: Bird 1994).
 inline constexpr double omega_tau_limit = 2.5;
 inline constexpr double knudsen_limit = 0.1;
 /// The least share, 0.11, at which it is known that what a closure does where mass is packed decides when waves begin.
