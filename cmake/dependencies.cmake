@@ -1,4 +1,7 @@
 # Libraries. The least versions are those of Debian 12, the oldest system that was tried; README.md has them in a table.
+if(POLICY CMP0167)  # Boost by its own configuration, as CMake 3.30 and later want it
+  cmake_policy(SET CMP0167 NEW)
+endif()
 set(lacking)
 macro(needs library least)
   find_package(${library} ${least} QUIET ${ARGN})
