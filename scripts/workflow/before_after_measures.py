@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""What scripts/before_after takes from runs: each measure gets what one run or two left and gives a number or a few words."""
+"""What scripts/before_after takes from runs: a measure gets what one run or two left and gives a number or a few words."""
 import csv
 import dataclasses
 import json
@@ -47,8 +47,9 @@ def how_it_ended(run):
 
 
 def growth(run):
-    said = subprocess.run([run.shaken, "patterns", str(run.folder), "--json"], check=True, capture_output=True, text=True).stdout
-    return abs(json.loads(said)["continuum"]["waves"][0]["multiplier"])
+    command = [run.shaken, "patterns", str(run.folder), "--json"]
+    found = json.loads(subprocess.run(command, check=True, capture_output=True, text=True).stdout)
+    return abs(found["continuum"]["waves"][0]["multiplier"])
 
 
 def last_cycle(run, phases=200):
@@ -66,7 +67,8 @@ def rms_of_heights(run, reference):
 
 def reference(name, source):
     """What a summary holds the measured value against."""
-    return lambda run: next(entry["reference"] for entry in run.summary() if entry["name"].startswith(name) and source in entry["source"])
+    return lambda run: next(entry["reference"] for entry in run.summary()
+                            if entry["name"].startswith(name) and source in entry["source"])
 
 
 def departure(name):
@@ -134,7 +136,8 @@ def work_differs(run):
 
 
 def heating(run):
-    """Of energy and potential energy together, a mass and a time, over the second half of the run; nothing feeds a column at rest on a plate at rest."""
+    """Gain of energy and potential energy together, a mass and a time, over the second half of the run; nothing feeds a
+    column at rest on a plate at rest."""
     z, mass, energy = run.observables("centre_of_mass", "mass", "energy")
     time, half = run.times(), len(z) // 2
     return float(((energy[-1] - energy[half]) / mass[0] + z[-1] - z[half]) / (time[-1] - time[half]))

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """scripts/reproduce STUDY --changed: which runs behind what is kept are stale, and those made again.
 
-A study says with kept() what it keeps, as parts, and makes the stale ones of them with remake(stale). A part's stamps are written as its runs are made, so
-that a cut remake goes on where it was.
+A study says with kept() what it keeps, as parts, and makes the stale ones of them with remake(). Stamps are written as runs are
+made, so that a cut remake goes on where it was.
 """
 import collections
 import dataclasses
@@ -17,8 +17,8 @@ from stamps import Stamps, with_starts
 
 @dataclasses.dataclass
 class Part:
-    """What is kept together: `name` of it, the file of its stamps, and the runs behind it. lacking: commands of which there is no row; past: rows that
-    nobody asks for any more; files: what it reads beside the runs."""
+    """What is kept together: its name, the file of its stamps, and the runs behind it. lacking: commands of which there is no row;
+    past: rows that nobody asks for any more; files: what it reads beside the runs."""
     name: str
     stamps: str
     runs: list
@@ -49,7 +49,8 @@ class Today:
 
 
 def make(root, studies, out, jobs, dry_run, command, record=False):
-    """Lists what is stale of {name: module} and, unless dry_run, makes it; an exit code. record: says that all that is kept was made by today's program."""
+    """Lists what is stale of {name: module} and, unless dry_run, makes it; an exit code. record: in place of that, stamps all that
+    is kept as made by today's program."""
     shaken = workflow.executable(root)
     if shaken is None:
         return 66

@@ -56,8 +56,9 @@ def kept(root, study, all_figures, runs):
     for table, planned in tables_of(all_figures).items():
         there = dict.fromkeys(row["command"] for row in rows.read(root / table))
         wanted = {row.command for row in planned}
-        parts.append(changed.Part(pathlib.Path(table).name, pathlib.Path(table).stem, [run_of(row, runs) for row in planned], frozenset(wanted - set(there)),
-                          tuple(command for command in there if command not in wanted)))
+        past = tuple(command for command in there if command not in wanted)
+        name, made = pathlib.Path(table), [run_of(row, runs) for row in planned]
+        parts.append(changed.Part(name.name, name.stem, made, frozenset(wanted - set(there)), past))
     for name, needs in all_figures.items():
         if needs.get("runs") and not needs.get("long"):
             parts.append(changed.Part(name, f"{study}_figures", [changed.run_of(runs, run, profiles=False) for run in needs["runs"]]))
@@ -97,7 +98,8 @@ def remake(today, parts, all_figures, runs, make_figures):
                if not needs.get("long") and (name in names or any(pathlib.Path(table).name in names for table, _ in needs.get("rows", [])))]
     drawn = [part for part in parts if part.name in all_figures]
     if drawn:
-        changed.prepare(today.stamps(drawn[0]), today.out, runs, [run for part in drawn for run in all_figures[part.name]["runs"]], profiles=False)
+        behind = [run for part in drawn for run in all_figures[part.name]["runs"]]
+        changed.prepare(today.stamps(drawn[0]), today.out, runs, behind, profiles=False)
     code = make_figures(today.root, today.out, figures, today.jobs, False, today.command)
     for part in [] if code else drawn:
         today.stamps(part).record(part.runs)

@@ -104,7 +104,9 @@ def remove(table, command):
         number = [line["command"] for line in lines if float(line["value"]) == value].index(command) + 1
         # Runs of one value are numbered in the order of the table: those behind move up.
         others = [block for block in read(blocks) if (float(block["value"]), int(block["run"])) != (value, number)]
-        write(blocks, [block | {"run": int(block["run"]) - (float(block["value"]) == value and int(block["run"]) > number)} for block in others])
+        for block in others:
+            block["run"] = int(block["run"]) - (float(block["value"]) == value and int(block["run"]) > number)
+        write(blocks, others)
     write(table, [line for line in lines if line["command"] != command])
 
 

@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: MIT
 """Stamps: with what each kept run was made, so that a later program can say which are stale.
 
-data/expected/stamps/NAME.json, one a table, has for each command the resolved scene (as what departs from the scene's own) and the numbers of its probe
-(probe.py). A run is stale when a key that it reads has another value than on the stamp, when its probe gives other numbers, when the run it starts from is
-stale, or when it has no stamp. A key that is new or gone says nothing by itself: what it does, the probe shows.
+data/expected/stamps/NAME.json, one a table, has for each command the resolved scene (as what departs from the scene's own)
+and the numbers of its probe (probe.py). A run is stale when a key that it reads has another value than on the stamp, when its
+probe gives other numbers, when the run it starts from is stale, or when it has no stamp. A key that is new or gone says nothing
+by itself: what it does, the probe shows.
 """
 import hashlib
 import json
@@ -110,8 +111,9 @@ class Stamps:
             names = {stamp[key] for stamp in used}
             self._kept[what] = {name: values for name, values in self._kept[what].items() if name in names}
         # A line a run, so that a change of one is a change of one line.
-        parts = [f'"{what}": {{\n' + ",\n".join(f"{json.dumps(name)}: {json.dumps(values)}" for name, values in sorted(table.items())) + "\n}"
-                 for what, table in self._kept.items()]
+        def lines(table):
+            return ",\n".join(f"{json.dumps(name)}: {json.dumps(values)}" for name, values in sorted(table.items()))
+        parts = [f'"{what}": {{\n{lines(table)}\n}}' for what, table in self._kept.items()]
         self._path.parent.mkdir(parents=True, exist_ok=True)
         aside = self._path.with_suffix(".part")
         aside.write_text("{" + ",\n".join(parts) + "}\n")
