@@ -43,7 +43,10 @@ def how_it_ended(run):
     """In words."""
     if run.code < 0:
         return f"no end in {run.seconds} s of processor time"
-    return "completes" if run.code == 0 else f"{run.code}: " + run.said.strip().partition("\n")[0]
+    if run.code == 0:
+        return "completes"
+    said = re.search(r"shaken: (.*)", run.said)
+    return f"exit code {run.code}" + (f": {said[1]}" if said else "")
 
 
 def growth(run):
@@ -150,11 +153,15 @@ def drift(run):
 
 
 def flights(run):
-    """The highest over the plate of each flight, from the samples: within 0.0004 of the top at 200 phases a cycle."""
+    """The highest over the plate of the first four flights, by a parabola through the three highest samples of each."""
     z, time = run.observables("centre_of_mass")[0], run.times()
     over = z - 0.5 - plate(time)
     tops = [i for i in range(1, len(over) - 1) if over[i - 1] < over[i] >= over[i + 1] and over[i] > 1.0]
-    return ", ".join(f"{over[i]:.4f}" for i in tops[:4])
+    return ", ".join(f"{top_of(*over[i - 1:i + 2]):.4f}" for i in tops[:4])
+
+
+def top_of(before, middle, after):
+    return middle + (after - before) ** 2 / (8.0 * (2.0 * middle - before - after))
 
 
 def plate(time, acceleration=3.4, frequency=0.1):

@@ -49,8 +49,8 @@ class Today:
 
 
 def make(root, studies, out, jobs, dry_run, command, record=False):
-    """Lists what is stale of {name: module} and, unless dry_run, makes it; an exit code. record: in place of that, stamps all that
-    is kept as made by today's program."""
+    """Lists what is stale of {name: module} and, unless dry_run, makes it; an exit code. record: in place of that, what
+    has no stamp gets one, as made by today's program."""
     shaken = workflow.executable(root)
     if shaken is None:
         return 66
@@ -62,11 +62,13 @@ def make(root, studies, out, jobs, dry_run, command, record=False):
         parts = study.kept(root)
         prober.fill(prober.text, [run for part in parts for run in with_starts(part.runs)])
         # Where the scene says enough no probe is made.
-        asked = [run for part in parts for run in with_starts(part.runs) if record or today.stamps(part).asks_a_probe(run)]
+        wanted = Stamps.lacks if record else Stamps.asks_a_probe
+        asked = [run for part in parts for run in with_starts(part.runs) if wanted(today.stamps(part), run)]
         prober.fill(prober.numbers, asked)
         if record:
             for part in parts:
-                today.stamps(part).record(part.runs, part.files)
+                stamps = today.stamps(part)
+                stamps.record([run for run in part.runs if stamps.lacks(run)], part.files)
             continue
         stale[name] = {part.name: today.why_stale(part) for part in parts}
         show(name, parts, stale[name])

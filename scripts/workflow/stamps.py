@@ -4,7 +4,7 @@
 data/expected/stamps/NAME.json, one a table, has for each command the resolved scene (as what departs from the scene's own)
 and the numbers of its probe (probe.py). A run is stale when a key that it reads has another value than on the stamp, when its
 probe gives other numbers, when the run it starts from is stale, or when it has no stamp. A key that is new or gone says nothing
-by itself: what it does, the probe shows.
+by itself, nor does "auto" that has become a value: what it does, the probe shows.
 """
 import hashlib
 import json
@@ -74,7 +74,11 @@ class Stamps:
         now = self._prober.text(run)
         if "refused" in now:
             return "" if "refused" in scene else "today the scene is refused"
-        return ", ".join(f"{key} {scene[key]} -> {now[key]}" for key in scene if key in now and scene[key] != now[key] and reads(run, key))
+        moved = [key for key in scene if key in now and scene[key] not in (now[key], "auto") and reads(run, key)]
+        return ", ".join(f"{key} {scene[key]} -> {now[key]}" for key in moved)
+
+    def lacks(self, run):
+        return run.command not in self._kept["runs"]
 
     def why_files(self, files):
         moved = [file for file in files if self._kept.get("files", {}).get(file) != self._digest(file)]
