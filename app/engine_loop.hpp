@@ -31,8 +31,9 @@ enum class Outcome { finished, stopped };
 /// Whether the user wants the run to end: a signal, or the limit of time.
 using AskedToStop = std::function<bool()>;
 
-/// An MD run looks for it so often between sample instants: some tenth of a second, which packed grains stretch.
-inline constexpr std::int64_t contacts_between_looks = 100'000;
+/// An MD run looks for it so often between sample instants, some tenth of a second; counted by the engine's work, for
+/// there may be few contacts between grains, or none.
+inline constexpr std::int64_t predictions_between_looks = 300'000;
 
 /// What the loop needs of an engine's run:
 ///   std::int64_t next_sample() const          number of the sample instant to come; phases of them a cycle

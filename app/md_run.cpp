@@ -55,7 +55,7 @@ MdRun::MdRun(const scene::Scene& scene)
 
 bool MdRun::advance_and_sample(const AskedToStop& asked_to_stop) {
     const Instant now = instant_of(next_, scene_);
-    while (!simulation_.advance_to(now.cycle, now.time_in_cycle(scene_), contacts_between_looks))
+    while (!simulation_.advance_to(now.cycle, now.time_in_cycle(scene_), predictions_between_looks))
         if (asked_to_stop()) return false;
     const md::Snapshot snapshot = simulation_.snapshot();
     sampler_.sample(snapshot, now.cycle, now.phase);
@@ -75,7 +75,7 @@ bool MdRun::advance_and_sample(const AskedToStop& asked_to_stop) {
 }
 
 bool MdRun::advance_to_end(const AskedToStop& asked_to_stop) {
-    while (!simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0, contacts_between_looks))
+    while (!simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0, predictions_between_looks))
         if (asked_to_stop()) return false;
     return true;
 }

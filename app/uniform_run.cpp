@@ -82,7 +82,7 @@ void UniformRun::follow(const md::Snapshot& snapshot) {
 }
 
 bool UniformRun::advance_and_sample(const AskedToStop& asked_to_stop) {
-    while (!simulation_.advance_to(next_, 0.0, contacts_between_looks))
+    while (!simulation_.advance_to(next_, 0.0, predictions_between_looks))
         if (asked_to_stop()) return false;
     const md::Snapshot snapshot = simulation_.snapshot();
     const auto count = static_cast<double>(snapshot.velocity.size());

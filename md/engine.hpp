@@ -18,7 +18,7 @@ namespace shaken::md {
 class Engine {
   public:
     virtual ~Engine() = default;
-    virtual bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_contacts) = 0;
+    virtual bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_predictions) = 0;
     virtual void advance_collisions(std::int64_t pair_collisions) = 0;
     virtual ContactEvent advance_contact() = 0;
     virtual std::int64_t cycle() const = 0;

@@ -26,7 +26,7 @@ class EventLoop final : public Engine {
   public:
     EventLoop(const Setup& setup, const Law& law);
 
-    bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_contacts) override;
+    bool advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_predictions) override;
     void advance_collisions(std::int64_t pair_collisions) override;
     ContactEvent advance_contact() override;
     std::int64_t cycle() const override { return cycle_; }
@@ -88,6 +88,7 @@ class EventLoop final : public Engine {
     ContactEvent::Kind last_kind_ = ContactEvent::Kind::pair;
     std::uint32_t last_first_ = 0, last_second_ = 0;
     std::int64_t contacts_at_sort_ = 0;
+    std::int64_t predictions_ = 0;  // since this object was made; no part of the state
     std::int64_t events_at_epoch_start_ = 0;
     CollapseWatch watch_;
 };

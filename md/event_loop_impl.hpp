@@ -135,6 +135,8 @@ void EventLoop<Law, Layered>::start_next_epoch() {
         watch_.rebase(period_);
         for (Particle& p : particles_) p.time = 0.0;
         for (double& time : last_contacts_) time -= period_;
+    }
+    if (epoch_ % fewest_epochs == 0) {
         if (static_cast<double>(contacts() - contacts_at_sort_) >=
             contacts_between_sorts_ * static_cast<double>(particles_.size()))
             sort_in_space();
@@ -154,11 +156,11 @@ void EventLoop<Law, Layered>::run(double until, const Done& done) {
 }
 
 template <class Law, bool Layered>
-bool EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_contacts) {
-    const std::int64_t last = most_contacts < std::numeric_limits<std::int64_t>::max() - contacts()
-                                  ? contacts() + most_contacts
+bool EventLoop<Law, Layered>::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_predictions) {
+    const std::int64_t last = most_predictions < std::numeric_limits<std::int64_t>::max() - predictions_
+                                  ? predictions_ + most_predictions
                                   : std::numeric_limits<std::int64_t>::max();
-    const auto short_of_it = [&] { return contacts() >= last; };
+    const auto short_of_it = [&] { return predictions_ >= last; };
     while (cycle_ < cycle || (cycle_ == cycle && epoch_end() < time_in_cycle && epoch_ + 1 < epochs_)) {
         run(epoch_end(), short_of_it);
         if (short_of_it()) return false;
@@ -202,6 +204,7 @@ ContactEvent EventLoop<Law, Layered>::advance_contact() {
 
 template <class Law, bool Layered>
 void EventLoop<Law, Layered>::predict(std::uint32_t i) {
+    ++predictions_;
     const Particle& p = particles_[i];
     const NeighbourLists::Centre& centre = neighbours_.centre(i);
     const Contact contact = nearest_contact(p, now_, neighbours_.of(i), particles_.data(), neighbours_.x(),

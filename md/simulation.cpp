@@ -123,8 +123,8 @@ Simulation::~Simulation() = default;
 Simulation::Simulation(Simulation&&) noexcept = default;
 Simulation& Simulation::operator=(Simulation&&) noexcept = default;
 
-bool Simulation::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_contacts) {
-    return engine_->advance_to(cycle, time_in_cycle, most_contacts);
+bool Simulation::advance_to(std::int64_t cycle, double time_in_cycle, std::int64_t most_predictions) {
+    return engine_->advance_to(cycle, time_in_cycle, most_predictions);
 }
 void Simulation::advance_collisions(std::int64_t pair_collisions) { engine_->advance_collisions(pair_collisions); }
 ContactEvent Simulation::advance_contact() { return engine_->advance_contact(); }

@@ -42,10 +42,11 @@ class Simulation {
     Simulation& operator=(Simulation&&) noexcept;
 
     /// Processes every event up to and including this instant. Does nothing when the instant is past already. False
-    /// where it stopped short, after so many contacts, with walls too; called again it goes on as if it had not.
-    /// Throws Stalled on inelastic collapse, InvariantBroken when a promise fails.
+    /// where it stopped short, after so many predictions of a particle's next event, the unit of the engine's work:
+    /// they go on where nothing meets. Called again it goes on as if it had not stopped. Throws Stalled on inelastic
+    /// collapse, InvariantBroken when a promise fails.
     bool advance_to(std::int64_t cycle, double time_in_cycle,
-                    std::int64_t most_contacts = std::numeric_limits<std::int64_t>::max());
+                    std::int64_t most_predictions = std::numeric_limits<std::int64_t>::max());
     /// Processes exactly this many pair collisions.
     void advance_collisions(std::int64_t pair_collisions);
     /// Goes on to just after the next contact, of a pair or with a wall, and says which.

@@ -84,11 +84,7 @@ TEST_CASE("how often the run is interrupted and looked at does not change it") {
     while (counted.cycle() < 4) counted.advance_contact();
     counted.advance_to(4, 0.25 * period);
     int halts = 0;
-    while (!short_of.advance_to(4, 0.25 * period, 7)) {
-        ++halts;
-        const md::Counters met = short_of.counters();
-        CHECK(met.pair_collisions + met.plate_collisions + met.ceiling_collisions == 7 * halts);
-    }
+    while (!short_of.advance_to(4, 0.25 * period, 7)) ++halts;
     CHECK(halts > 100);
     CHECK(straight.state_hash() == halting.state_hash());
     CHECK(straight.state_hash() == counted.state_hash());

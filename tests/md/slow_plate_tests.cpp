@@ -5,8 +5,10 @@
 #include <cmath>
 #include <vector>
 
+#include "md/event_loop.hpp"
 #include "small_systems.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace {
 
@@ -73,4 +75,54 @@ TEST_CASE("a ball without rebound leaves a plate that falls faster than gravity 
     CHECK(ridden[2] == Approx(23.0623).margin(1e-3));
     CHECK(ridden[3] == Approx(23.0443).margin(1e-3));
     CHECK(highest.back() == Approx(23.0485).margin(1e-3));
+}
+
+TEST_CASE("a run stops where it is asked to, however rarely its particles meet") {
+    scene::Scene scene = small::layer(200, scene::RestitutionConstant{1.0});
+    scene.box = {400.0, 400.0, 1e6};
+    scene.initial.volume_fraction = 2e-4;
+    scene.initial.temperature = 1e6;
+    scene.motion = scene::PlateMotion::from_acceleration(0.0, 1e-5);
+    md::Simulation simulation(scene);
+    constexpr std::int64_t predictions = 10000;  // of 200 particles: fifty epochs at most
+    CHECK_FALSE(simulation.advance_to(1, 0.0, predictions));
+    CHECK(simulation.cycle() == 0);
+    CHECK(simulation.time_in_cycle() <= predictions / 200 * md::longest_epoch);
+    const md::Counters met = simulation.counters();
+    CHECK(met.pair_collisions + met.plate_collisions + met.ceiling_collisions < predictions / 10);
+}
+
+TEST_CASE("a ball that rides on the plate hops 5000 (1 + plate's acceleration) times a unit of time") {
+    // Where the plate pushes hardest: 1 + Gamma cos(2 pi f t) is within 0.1 % of 1 + Gamma.
+    const double acceleration = GENERATE(0.0, 0.5, 0.9);
+    scene::Scene scene = small::layer(1, scene::RestitutionConstant{0.0});
+    scene.motion = scene::PlateMotion::from_acceleration(acceleration, 0.1);
+    md::Simulation simulation(scene);
+    const double half = 0.04;
+    simulation.advance_to(2, scene.motion.period() - half);
+    const std::int64_t before = simulation.counters().plate_collisions;
+    simulation.advance_to(3, half);
+    const std::int64_t hops = simulation.counters().plate_collisions - before;
+    // One hop that begins or ends outside, and that thousandth.
+    CHECK(static_cast<double>(hops) == Approx(2.0 * half * 5000.0 * (1.0 + acceleration)).epsilon(2e-3).margin(1.5));
+}
+
+TEST_CASE("particles are put in order of space within a long cycle too") {
+    scene::Scene scene = small::layer(50);
+    scene.motion = scene::PlateMotion::from_acceleration(0.0, 1e-4);
+    scene.particles.restitution = scene::RestitutionConstant{1.0};
+    md::Options options;
+    options.contacts_between_sorts = 1.0;
+    md::Simulation simulation(scene, options);
+    const support::TemporaryFolder folder;
+    const auto contacts_at_sort = [&] {
+        files::CheckpointWriter out;
+        simulation.save(out);
+        out.commit(folder.path() / "state");
+        return files::CheckpointReader(folder.path() / "state").take_one<std::int64_t>("md.contacts_at_sort");
+    };
+    simulation.advance_to(0, 20.0);
+    const std::int64_t first = contacts_at_sort();
+    simulation.advance_to(0, 100.0);
+    CHECK(contacts_at_sort() > first);
 }
