@@ -47,8 +47,10 @@ TEST_CASE("cooling gases follow Haff's law, and the late law where slow contacts
     const auto cooling = summary_of(folder / "cooling");
     for (const auto& entry : cooling) {
         if (entry["name"] == "fourth cumulant a2") {
-            CHECK(std::abs(entry["measured"].get<double>() + 0.01424) <
-                  3.0 * std::hypot(entry["standard_error"].get<double>(), 0.0002));  // direct simulation, e = 0.8
+            // Direct simulation, e = 0.8. The blocks of this run are shorter than the memory of the velocities, so that
+            // the error it prints is too small: over ten collisions of each of 20,000 particles a2 scatters by 0.0026
+            // (tests/md/direct_simulation.hpp), over the thirty of this run by 0.0015. Three of these.
+            CHECK(entry["measured"].get<double>() == Approx(-0.01424).margin(3.0 * 0.0015));
             continue;
         }
         INFO(entry.dump());
