@@ -98,7 +98,7 @@ TEST_CASE("a gas at a volume fraction of 0.002 cools as the dilute gas does", "[
     CHECK(std::abs(found.rate.value - gas.rate) < 3.0 * std::hypot(found.rate.error, doubt));
 }
 
-TEST_CASE("the dilute gas beside gases of a volume fraction of 0.01 and 0.002", "[.table]") {
+TEST_CASE("the dilute gas beside gases of a volume fraction of 0.01 and 0.002", "[.table][slow]") {
     for (const Dilute& gas : {dilute[1], dilute[3], dilute[4]}) {
         const DiluteGas limit = DirectSimulation(20000, gas.restitution, 7).measure(240, 10);
         const Cooling denser = measure(0.01, gas.restitution, 6, 16), thin = measure(0.002, gas.restitution, 6, 16);
