@@ -53,6 +53,8 @@ void resolve_scheme(Scene& s) {
 void resolve_ftcs(Scene& s) {
     scene::Continuum& c = s.continuum;
     Ftcs::refuse_closure(c);
+    // The source's finite differences keep the source's wall.
+    if (!s.written.contains("continuum.upper")) c.upper.name = "lid";
     const auto written = s.written.find("continuum.floor_density");
     if (written == s.written.end())
         c.floor_density = Ftcs::least_floor_density;

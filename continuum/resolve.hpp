@@ -7,8 +7,8 @@
 
 namespace shaken::continuum {
 
-/// The scene with, for a layer, dimension as a number and the spacings of its grid; for the scheme ftcs its own default
-/// of floor_density; and the list of keys that have no part in what runs. Resolving twice changes nothing.
+/// The scene with, for a layer, dimension as a number and the spacings of its grid; for the scheme ftcs its own defaults
+/// of upper and floor_density; and the list of keys that have no part in what runs. Resolving twice changes nothing.
 /// Throws scene::SceneError, at the place of the key, for a key written out that the scheme has no use for, a closure
 /// or a floor that it cannot run, and noise or waves across columns that the grid does not have.
 scene::Scene resolve(scene::Scene scene);

@@ -45,7 +45,6 @@ class Resolver {
                                                s_.box.x, s_.box.y));
         }
         sizes();
-        upper_end();
         temperatures_of_ends("continuum", s_.continuum);
         if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
             fail("continuum.spacing",
@@ -165,13 +164,6 @@ class Resolver {
         if (!p.frequency && !p.frequency_star) fail("plate", "plate.frequency or plate.frequency_star is needed");
         const double frequency = p.frequency ? *p.frequency : *p.frequency_star / std::sqrt(s_.depth);
         s_.motion = PlateMotion::from_acceleration(p.acceleration, frequency);
-    }
-
-    /// What a layer ends in that names no upper end: the finite volumes in one without viscous stress, the source's
-    /// finite differences in the source's wall.
-    void upper_end() {
-        if (places_.contains("continuum.upper")) return;
-        s_.continuum.upper.name = s_.continuum.scheme.name == "ftcs" ? "lid" : "stress_free";
     }
 
     /// Refuses what no machine holds, with an estimate, before it is tried.

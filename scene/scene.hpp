@@ -129,7 +129,7 @@ struct Continuum {
     double spacing = 0.2;                                 // vertical, in sigma
     double spacing_horizontal = 2.0;                      // in sigma
     double lid = 80.0;                                    // height of the upper end above the plate, moving with it
-    Choice lower{"plate", {}}, upper{"stress_free", {}};  // of a scene read with scheme ftcs that names none: lid
+    Choice lower{"plate", {}}, upper{"stress_free", {}};  // with scheme ftcs, where none is written: lid
     std::optional<double> lower_temperature, upper_temperature;  // of heated ends
     double cfl = 0.8;
     double artificial_dissipation = 0.1;  // C_AD of the scheme ftcs

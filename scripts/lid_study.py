@@ -1,12 +1,13 @@
 #!/usr/bin/python3
-"""The lid study of chapter 4: runs the continuum with lids from 60 to 200 and holds z_cm against that of MD runs of data/scenes/ch4_shock.toml.
+"""The upper end in chapter 4: runs the continuum under both ends, from 60 to 200 high, and holds z_cm against that of MD runs of data/scenes/ch4_shock.toml.
 
     scripts/lid_study.py MD_RUN_FOLDER ... [--shaken build/release/shaken]        e.g. out/ch4/runs/md_s1 and the others of scripts/reproduce ch4
 
-Prints, for each lid: its mean force over the layer's weight, the rms difference of z_cm from MD over 20 phases, the same with the floor half a
-diameter up, and from the highest lid, all in per cent.
+Prints, for each end and height: its mean force over the layer's weight, the rms difference of z_cm from MD over 20 phases, the same with the floor
+half a diameter up, and from the highest stress-free end, all in per cent.
 """
 import argparse
+import itertools
 import pathlib
 import subprocess
 import tempfile
@@ -15,17 +16,17 @@ import h5py
 import numpy as np
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-LIDS = (200, 140, 100, 80, 60)
+ENDS, HEIGHTS = ("stress_free", "lid"), (200, 120, 100, 80, 60)
 SETTLE, AVERAGE, PHASES = 20, 5, 20
 
 
-def of_lid(shaken, lid, folder):
-    """Mean z_cm at 20 phases, and the lid's mean force over the layer's weight."""
-    settings = [f"continuum.lid={lid}", f"sample.settle={SETTLE}", f"sample.average={AVERAGE}", f"sample.phases={10 * PHASES}", "sample.frames=0"]
+def of_end(shaken, end, top, folder):
+    """Mean z_cm at 20 phases, and the mean force on the end over the layer's weight."""
+    settings = [f"continuum.upper={end}", f"continuum.lid={top}", f"sample.settle={SETTLE}", f"sample.average={AVERAGE}", f"sample.phases={10 * PHASES}", "sample.frames=0"]
     words = [word for setting in settings for word in ("--set", setting)]
-    subprocess.run([shaken, "continuum", ROOT / "data/scenes/ch4_shock.toml", *words, "--quiet", "--out", folder / str(lid)], check=True,
+    subprocess.run([shaken, "continuum", ROOT / "data/scenes/ch4_shock.toml", *words, "--quiet", "--out", folder], check=True,
                    stdout=subprocess.DEVNULL)
-    with h5py.File(folder / str(lid) / "continuum.h5") as file:
+    with h5py.File(folder / "continuum.h5") as file:
         height = file["observables/centre_of_mass/value"][:].reshape(-1, 10 * PHASES)[SETTLE:, ::10].mean(axis=0)
         impulse, time = (file[f"observables/lid_impulse/{name}"][:][SETTLE * 10 * PHASES:] for name in ("value", "time"))
         mass = file["observables/mass/value"][-1]
@@ -50,12 +51,12 @@ def main():
     options = parser.parse_args()
     grains = np.mean([of_grains(run) for run in options.runs], axis=0)
     highest = None
-    print("lid   force %   z_cm %   half a diameter up   against the highest")
+    print("end          height   force %   z_cm %   half a diameter up   against the highest")
     with tempfile.TemporaryDirectory() as folder:
-        for lid in LIDS:
-            height, force = of_lid(options.shaken, lid, pathlib.Path(folder))
+        for end, top in itertools.product(ENDS, HEIGHTS):
+            height, force = of_end(options.shaken, end, top, pathlib.Path(folder) / f"{end}_{top}")
             highest = height if highest is None else highest
-            print(f"{lid:3}   {100 * force:7.3f}   {rms(height, grains):6.2f}   {rms(height + 0.5, grains):18.2f}   {rms(height, highest):19.2f}",
+            print(f"{end:11}  {top:6}   {100 * force:7.3f}   {rms(height, grains):6.2f}   {rms(height + 0.5, grains):18.2f}   {rms(height, highest):19.4f}",
                   flush=True)
 
 

@@ -24,8 +24,9 @@ NUMERICS = {
     "cfl_0.4": ("continuum.cfl=0.4",),
     "hll": ("continuum.flux=hll",),
 }
-LIDS = (60, 80, 100, 140, 200)
-DEPTHS = {"4.5": (1969, 60, 200), "13.5": (5906, 40, 80)}  # H: particles, cycles averaged, lid
+LIDS = (60, 80, 100, 120, 200)
+WALLS = (80, 200)  # heights of a lid, which bears stress and heat, in the end's place
+DEPTHS = {"4.5": (1969, 60, 200), "13.5": (5906, 40, 120)}  # H: particles, cycles averaged, lid
 
 
 def seeds(k):
@@ -51,6 +52,8 @@ def runs():
         add(f"continuum_lid{lid}", "continuum", periodic + [f"continuum.lid={lid}"])
         # Bins reach as high as the lid: a short MD run on the same bins lets the comparison measure the continuum's shock.
         add(f"md_lid{lid}", "md", ["sample.settle=1", "sample.average=2", "sample.frames=0", f"continuum.lid={lid}"])
+    for height in WALLS:
+        add(f"continuum_wall{height}", "continuum", periodic + [f"continuum.lid={height}", "continuum.upper=lid"])
     for k in STATES:
         add(f"state_s{k}", "md", seeds(k) + ["sample.phases=100", "sample.average=1"])
     one_cycle = [f"initial.phase={FALLING}", "sample.settle=0", "sample.average=2", "sample.frames=0"]
@@ -76,6 +79,7 @@ def comparisons():
     base = [f"md_h9_s{k}" for k in SEEDS]
     found = {name: {"md": base, "continuum": f"continuum_{name}"} for name in CLOSURES | NUMERICS}
     found |= {f"lid{lid}": {"md": [f"md_lid{lid}"], "continuum": f"continuum_lid{lid}"} for lid in LIDS}
+    found |= {f"wall{height}": {"md": [f"md_lid{height}"], "continuum": f"continuum_wall{height}"} for height in WALLS}
     for e in RESTITUTIONS:
         for grid in ("", "_fine"):
             found[e_name(e) + grid] = {"md": [f"md_{e_name(e)}_s{k}" for k in STATES],

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Error of the model: the continuum of each closure, with the lid at 80 and at 200, against the mean of the long MD runs on ch4_shock; with the floor at the
+"""Error of the model: the continuum of each closure, with the upper end at 120 and at 200, against the mean of the long MD runs on ch4_shock; with the floor at the
 plate and half a diameter up, where no centre of a particle can lie. The error of the error is that of the MD's mean and of the default grid together."""
 import numpy as np
 
@@ -24,7 +24,7 @@ def rows(study):
         cost = work | cost_of(timings.get(point.name), work.get("steps"))
         for suffix, bins in (("", 0), ("_half_diameter", int(HALF_DIAMETER / BIN))):
             found = differences(layer.lifted(bins, HALF_DIAMETER) if bins else layer, grains.mean) if layer else dict.fromkeys(uncertain, np.nan)
-            is_default = point.closure == table.Point.closure and point.value("lid") == 80.0
+            is_default = point.closure == table.Point.closure and point.value("lid") == table.LIDS[0]
             made += [row("model", "continuum", "/".join(point.closure), "lid", point.value("lid"), q + suffix, error, uncertain[q], cost, is_default,
                          "completed" if layer else " ".join(end["said"]), study.command("continuum", point.scene, point.changes)) for q, error in found.items()]
     return made

@@ -65,7 +65,7 @@ CLOSURES = {
     ("jenkins_richman_fluid", "goldshtein"): {"continuum.closure": "jenkins_richman_fluid"},
     ("jenkins_richman_bocquet", "goldshtein"): {"continuum.closure": "jenkins_richman_bocquet"},
 }
-LIDS = (80.0, 200.0)
+LIDS = (120.0, 200.0)  # the first is the scene's
 DEFAULT_CLOSURE, DENSE = ("jenkins_richman", "goldshtein"), ("jenkins_richman_dense", "goldshtein")
 
 
@@ -173,7 +173,7 @@ def workflow_runs():
 
 
 def partner(p):
-    return f"md_partner_{p.value('lid') or 80:g}"
+    return f"md_partner_{p.value('lid') or LIDS[0]:g}"
 
 
 def workflow_comparisons():

@@ -67,14 +67,14 @@ def grains(rows):
 
 
 def models(rows):
-    """Error of the model by closure and lid, floor at the plate and half a diameter up."""
+    """Error of the model by closure and height of the upper end, floor at the plate and half a diameter up."""
     found = []
     at = [r for r in rows if r["study"] == "model"]
     for scheme in dict.fromkeys(r["scheme"] for r in at):
-        for lid in (80.0, 200.0):
+        for lid in sorted({r["value"] for r in at}):
             errors = {r["quantity"]: digits(r["error_percent"]) for r in at if r["scheme"] == scheme and r["value"] == lid}
             found.append([scheme, f"{lid:g}", *(f"{errors.get(q, '')}; {errors.get(q + '_half_diameter', '')}" for q in QUANTITIES["md"])])
-    return table(["closure", "lid", *QUANTITIES["md"]], found)
+    return table(["closure", "upper end", *QUANTITIES["md"]], found)
 
 
 def text(rows):
