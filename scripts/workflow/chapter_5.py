@@ -15,6 +15,7 @@ DISPERSION = "data/scenes/ch5_dispersion.toml"
 DISPERSION_MD = "data/expected/ch5_dispersion_md.csv"
 DISPERSION_CONTINUUM = "data/expected/ch5_dispersion_continuum.csv"
 GROWTH = "data/expected/ch5_growth.csv"
+CONVERGED = "data/expected/ch5_converged.csv"
 
 PUBLISHED = 2.2   # Gamma of the chapter
 WAVING = 4.0      # Gamma at which the continuum has stripes: on columns 1 wide its waves grow above 3.5 (docs/validation.md)
@@ -49,6 +50,7 @@ ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 OF_FLUID_STRIP = ("0.25", "0.3", "0.35", "0.4174")   # frequencies; some ten minutes each
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
 STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes; no whole number of diameters wide
+BESIDE_THE_ONSET = ("2.2", "3.0", "3.2", "3.4")
 FROZEN = 2.0   # with constant e and less transport than the default's the layer freezes up to here, and the run ends
 SQUARES = ("1.8", "2.0", "2.1", "2.15", "2.2", "2.3", "2.6")   # Gamma of the cells of 42 x 42 whose order is looked at
 
@@ -61,6 +63,13 @@ def growth_rows():
     return [Row("continuum", STRIP, "plate.acceleration", gamma, choice + grid)
             for grid in GRIDS.values() for choice in CHOICES.values() for gamma in accelerations(choice)] + [
         Row("continuum", STRIP, "plate.acceleration", gamma, CHOICES["garzo_dufty"] + FINER) for gamma in ("2.6", "3.0")]
+
+
+def converged_rows():
+    """The default choice on columns ever narrower, and on columns 1 wide with finer rows, shorter steps and higher ends."""
+    columns = [(f"continuum.spacing_horizontal={dx}",) for dx in ("2", "1", "0.5", "0.25")]
+    others = [(columns[1][0], change) for change in ("continuum.spacing=0.1", "continuum.cfl=0.4", "continuum.lid=50", "continuum.lid=100")]
+    return [Row("continuum", STRIP, "plate.acceleration", gamma, choice) for choice in columns + others for gamma in BESIDE_THE_ONSET]
 
 
 def dispersion_rows():
@@ -128,6 +137,7 @@ FIGURES = {
     "figure_5_sloshing": ALL_THREE,
     "figure_5_fluid": {"runs": ["md_stripes", "continuum_fluid"]},
     "figure_5_growth": {"rows": [(GROWTH, growth_rows())]},
+    "figure_5_converged": {"rows": [(CONVERGED, converged_rows())]},
 }
 
 
