@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Who may touch whom soon. Each particle has a centre (near where it stood when its list was made), a half shell (how far
-// from there it may go) and the list of all particles whose centres are within 1 + both half shells of its own. While
-// both stay within their half shells, no pair outside the lists can touch; a particle that leaves gets a new centre
-// and list, alone. Lists are mutual. Half shells follow the local density, so that lists have about the same length:
-// in a dilute gas particles keep their lists for longer flights.
+// Who may touch whom soon. Each particle has a centre (near where it stood when its list was made), a half shell (how
+// far from there it may go) and the list of all particles whose centres are within 1 + both half shells of its own.
+// While both stay within their half shells, no pair outside the lists can touch; a particle that leaves gets a new
+// centre and list, alone. Lists are mutual. Half shells follow the local density, so that lists have about the same
+// length: in a dilute gas particles keep their lists for longer flights.
 #pragma once
 
 #include <array>

@@ -69,6 +69,12 @@ def acceleration(axis, rows):
         theory(axis, np.sqrt(1.0 + (periods * np.pi) ** 2), f"plug flies {periods}$T$")
 
 
+def upper_end(axis, rows):
+    rows_panel(axis, of_map(rows, "upper_end"))
+    axis.set(xlabel=r"peak acceleration, $\Gamma$", xlim=(0.9, 8.3))
+    theory(axis, 1.0, "lift-off")
+
+
 def reynolds(axis, rows):
     shown = [row | {"x": QUIET.cell_reynolds(float(row["x"]))} for row in of_map(rows, "cell_reynolds")]
     scatter(axis, shown, lambda row: float(row["y"]))
@@ -101,15 +107,16 @@ def artificial(axis, rows):
 
 def draw(folder):
     rows = read(folder)
-    figure, axes = plt.subplots(4, 2, figsize=(12.0, 14.0), gridspec_kw={"height_ratios": [1.25, 0.95, 0.7, 1.1]})
-    panels = (courant, fraction, restitution, acceleration, diffusion, spacing, reynolds, artificial)
+    figure, axes = plt.subplots(5, 2, figsize=(12.0, 18.0), gridspec_kw={"height_ratios": [1.25, 0.95, 0.7, 1.1, 1.3]})
+    panels = (courant, fraction, restitution, acceleration, diffusion, spacing, reynolds, artificial, upper_end)
     titles = ("Courant number", "dilute to dense", "restitution", "acceleration", "ftcs: explicit diffusion", "finite volumes: narrow columns",
-              "ftcs without artificial dissipation, gas at rest", "ftcs: artificial dissipation")
-    for axis, panel, words, letter in zip(axes.flat, panels, titles, "abcdefgh"):
+              "ftcs without artificial dissipation, gas at rest", "ftcs: artificial dissipation", "the end above a layer")
+    for axis, panel, words, letter in zip(axes.flat, panels, titles, "abcdefghi"):
         title(panel(axis, rows) or axis, letter, words)
+    axes.flat[-1].remove()
     legend(figure, rows)
     shown = [row for row in rows if row["map"] in {"cfl", "diffusion", "spacing_horizontal", "volume_fraction", "restitution", "acceleration",
-                                                  "cell_reynolds", "artificial_dissipation"}]
+                                                  "cell_reynolds", "artificial_dissipation", "upper_end"}]
     return save(figure, folder / "figures", NAME, columns(shown))
 
 

@@ -85,7 +85,9 @@ def kind_of(point):
     run = point.run
     if run.engine == "md":
         return "pressure" if run.scene == "uniform_elastic" else "grains"
-    return {"ch4_shock": "layer", "ch5_growth": "strip", "verify_column": "column", "uniform_cooling": "cooling"}.get(run.scene, "tube")
+    if run.scene.startswith("ch4_"):
+        return "layer"
+    return {"ch5_growth": "strip", "ch5_stripes": "strip", "verify_column": "column", "uniform_cooling": "cooling"}.get(run.scene, "tube")
 
 
 def doubts(point, kept, numbers):

@@ -142,6 +142,24 @@ def acceleration():
         yield Point("acceleration", x, "ftcs, layer", source, held(source))
 
 
+# Cells of three dimensions, and the layers of chapter 4 that are deeper and shallower than its own.
+THREE = Run("continuum", "ch5_stripes", ("box.x=12", "box.y=12", "particles.number=864", "continuum.dimension=3", "continuum.spacing=0.4",
+                                         "continuum.spacing_horizontal=2", "sample.phases=20", "sample.maps=4", "sample.settle=0", "sample.average=2", "sample.frames=0"))
+LIMITS = {15: "ch4_limit_deep_15", 18: "ch4_limit_deep_18", 3: "ch4_limit_shallow"}
+
+
+def upper_end():
+    for y in ("stress_free", "lid"):
+        end = f"continuum.upper={y}"
+        for e in (0.6, 0.7, 0.8, 0.9, 0.98):
+            for x in (1.1, 1.5, 2.0, 3.0, 4.0, 6.0, 8.0):
+                yield Point("upper_end", x, f"{y}, e = {e}", LAYER.but(end, f"plate.acceleration={x}", f"particles.restitution={e}", "sample.average=4"))
+        for x in (2.2, 4.0, 8.0):
+            yield Point("upper_end", x, f"{y}, 3D", THREE.but(end, f"plate.acceleration={x}"))
+        for depth, scene in LIMITS.items():
+            yield Point("upper_end", 3.0, f"{y}, H = {depth}", dataclasses.replace(LAYER, scene=scene).but(end, "sample.average=4"))
+
+
 QUIET_CELLS, QUIET_STEPS, QUIET_FRACTION = 64, 4000, 0.2
 
 
@@ -206,7 +224,7 @@ def packing():
         yield Point("packing", x, "layer", GRAINS.but(f"initial.volume_fraction={x}", "particles.restitution=0.9", "sample.average=2"))
 
 
-MAPS = (courant, diffusion, horizontal_spacing, volume_fraction, restitution, acceleration, reynolds, artificial_dissipation,
+MAPS = (courant, diffusion, horizontal_spacing, volume_fraction, restitution, acceleration, upper_end, reynolds, artificial_dissipation,
         collapse, grains_acceleration, packing)
 
 
