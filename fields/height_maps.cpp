@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "files/errors.hpp"
 
@@ -89,8 +90,10 @@ void HeightMaps::save(files::CheckpointWriter& out, const std::string& prefix) c
 
 void HeightMaps::restore(const files::CheckpointReader& in, const std::string& prefix) {
     cycles_ = in.take<std::int64_t>(prefix + "cycle");
-    phases_ = in.take<double>(prefix + "phase");
-    heights_ = in.take<double>(prefix + "height");
+    phases_.resize(cycles_.size());
+    heights_.resize(cycles_.size() * static_cast<std::size_t>(grid_.nx * grid_.ny));
+    in.take_into(prefix + "phase", std::span(phases_));
+    in.take_into(prefix + "height", std::span(heights_));
 }
 
 void HeightMaps::write(files::Hdf5File& file, const std::string& group) const {

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <span>
 #include <stdexcept>
 
 namespace shaken::fields {
@@ -34,8 +35,10 @@ void TimeSeries::save(files::CheckpointWriter& out, const std::string& prefix) c
 
 void TimeSeries::restore(const files::CheckpointReader& in, const std::string& prefix) {
     step_ = in.take<std::int64_t>(prefix + "step");
-    time_ = in.take<double>(prefix + "time");
-    values_ = in.take<double>(prefix + "values");
+    time_.resize(step_.size());
+    values_.resize(step_.size() * columns_.size());  // another number of columns is another version's
+    in.take_into(prefix + "time", std::span(time_));
+    in.take_into(prefix + "values", std::span(values_));
 }
 
 void TimeSeries::write(files::Hdf5File& file) const {

@@ -27,6 +27,7 @@ class TimeSeries {
     double value(std::size_t row, const std::string& column) const;
 
     void save(files::CheckpointWriter& out, const std::string& prefix) const;
+    /// Throws files::Damaged where rows are not of as many columns as these.
     void restore(const files::CheckpointReader& in, const std::string& prefix);
     /// /observables/NAME/{value,step,time}, step and time shared by hard links.
     void write(files::Hdf5File& file) const;

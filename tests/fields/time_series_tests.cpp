@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "files/errors.hpp"
+
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -25,6 +27,9 @@ TEST_CASE("a time series goes through checkpoint and file unchanged") {
     CHECK_THROWS_AS(again.value(2, "height"), std::out_of_range);
     CHECK_THROWS_AS(again.value(0, "depth"), std::out_of_range);
     CHECK_THROWS_AS(again.add(2, 0.2, std::array{1.0}), std::invalid_argument);
+
+    TimeSeries wider({"energy", "height", "mass"});
+    CHECK_THROWS_AS(wider.restore(files::CheckpointReader(folder / "a"), "series/"), files::Damaged);
 
     files::Hdf5File file(folder / "a.h5", files::Open::create);
     again.write(file);
