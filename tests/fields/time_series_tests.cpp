@@ -4,7 +4,6 @@
 #include <array>
 
 #include "files/errors.hpp"
-
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
 
