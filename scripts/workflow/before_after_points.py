@@ -82,7 +82,7 @@ def end_of_layer():
 
 
 def names():
-    full = SHOCK.but('continuum.upper="lid"')  # the end that ftcs keeps, for all
+    full = SHOCK.but("continuum.lid=80", 'continuum.upper="lid"')  # the end that ftcs keeps, where the scene had it, for all
     dense, rms = full.but(DENSE), measure.rms_of_heights
     yield same("names", "ftcs under the closure jenkins_richman", "", measure.how_it_ended, full.but(FTCS))
     yield same("names", "z_cm of ftcs from that of muscl, closure the scene's", "%", rms, full.but(FTCS), full)

@@ -100,6 +100,8 @@ class Point:
             fixed["continuum.scheme"] = self.scheme
         if self.study == "riemann" and self.scheme == "ftcs":
             fixed |= WALLS
+        if self.closure == DENSE and self.study in REFERENCES:
+            fixed["continuum.upper"] = "lid"  # the end that ftcs has
         fixed |= CLOSURES[self.closure] | {KEY[knob]: value for knob, value in self.settings}
         return [f"{key}={value}" for key, value in fixed.items()]
 

@@ -6,6 +6,7 @@
 
 #include "continuum/closures/closures.hpp"
 #include "continuum/evolution.hpp"
+#include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
@@ -120,11 +121,12 @@ TEST_CASE("the height of a stress-free end does not change a layer that does not
 
 TEST_CASE("a layer that names no upper end has a stress-free one, under ftcs the source's wall") {
     const auto upper = [](const std::vector<std::string>& changes) {
-        return scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes).continuum.upper.name;
+        const scene::Scene scene = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes);
+        return continuum::resolve(scene).continuum.upper.name;
     };
     CHECK(upper({}) == "stress_free");
     CHECK(upper({"continuum.scheme=weno5"}) == "stress_free");
-    CHECK(upper({"continuum.scheme=ftcs"}) == "lid");
+    CHECK(upper({"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense"}) == "lid");
     CHECK(upper({"continuum.upper=lid"}) == "lid");
     const scene::Scene asked = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml",
                                                  {"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense",
