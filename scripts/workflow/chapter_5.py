@@ -48,7 +48,7 @@ ACCELERATIONS = ("2.0", "2.2", "2.6", "3.0", "3.4", "3.8")
 SOME = ("2.2", "3.0", "3.4")
 ON_NARROW = {"default": ACCELERATIONS, "carnahan_starling": SOME, "garzo_dufty": SOME, "fluid transport": ("2.2",), "no 1/G terms": SOME}
 # Others: waves of a fluid's transport grow below 2 (at 1.4 the layer freezes, at 1.6 the wave is full-grown after twelve cycles); ftcs takes eight times as long.
-OF_FLUID_STRIP = ("0.25", "0.3", "0.35", "0.4174")   # frequencies; some ten minutes each
+OF_FLUID_STRIP = ("0.4174", "0.35", "0.3", "0.25")   # frequencies; the last two take some ten minutes each
 OF_FLUID, OF_FTCS = ("1.8", "2.0", "2.2", "2.6", "3.0"), ("2.2", "3.0", "3.4")
 STRIPS = ("2.0", "2.6")   # Gamma of the strips whose waves of momentum are looked at: flat, and with stripes; no whole number of diameters wide
 BESIDE_THE_ONSET = ("2.2", "3.0", "3.2", "3.4")
