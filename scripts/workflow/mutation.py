@@ -20,8 +20,8 @@ TABLE = "data/expected/faults.csv"
 COLUMNS = ["fault", "folder", "drawn", "ended", "suite", "test", "edit", "program"]
 CAUGHT, SURVIVED, NO_BUILD, TIMED_OUT = "caught", "survived", "does not build", "timed out"
 TREE = "build/mutate"
-# The words change no answer; the list and the table change with every fault.
-NOT_PROGRAM = (listed.LIST, TABLE, "*.md")
+# Words change no answer, the list and the table change with every fault, and what plants them is not tested by them.
+NOT_PROGRAM = ("*.md", listed.LIST, TABLE, "tests/scripts/mutate_tests.py", "scripts/mutate", *(f"scripts/workflow/{name}.py" for name in ("faults", "mutation", "score")))
 # What the tests of a folder need beside its own; a folder not named here: its own.
 TARGETS = {"compare": ("compare_tests", "shaken"), "scripts": ("shaken",)}
 LABELS = {"scripts": "^(scripts|compare|validation)$"}

@@ -211,6 +211,8 @@ class Ours(unittest.TestCase):
     def test_every_fault_applies_to_the_sources(self):
         every = mutate.faults.read(SOURCE)
         mutate.faults.hold_to(SOURCE, every)
+        self.assertEqual({fault.folder for fault in every}, set(mutate.faults.FOLDERS))
+        self.assertGreaterEqual(2 * sum(fault.drawn for fault in every), len(every))
 
 
 if __name__ == "__main__":
