@@ -26,7 +26,7 @@ NOT_PROGRAM = ("*.md", listed.LIST, TABLE, "tests/scripts/mutate_tests.py", "scr
 TARGETS = {"compare": ("compare_tests", "shaken"), "scripts": ("shaken",)}
 LABELS = {"scripts": "^(scripts|compare|validation)$"}
 # The test that the list fits the sources fails with any fault.
-LEFT_OUT = "^mutate: "
+LEFT_OUT = "^mutate:"
 FAILED = re.compile(r"^\s+\d+ - (.*) \((?!Not Run|Disabled)([^()]*)\)", re.M)
 
 
