@@ -26,7 +26,7 @@ NOT_PROGRAM = ("*.md", listed.LIST, TABLE, "tests/scripts/mutate_tests.py", "scr
 TARGETS = {"compare": ("compare_tests", "shaken"), "scripts": ("shaken",)}
 LABELS = {"scripts": "^(scripts|compare|validation)$"}
 # The test that the list fits the sources fails with any fault.
-LEFT_OUT = "^mutate: "
+LEFT_OUT = "^mutate:"
 FAILED = re.compile(r"^\s+\d+ - (.*) \((?!Not Run|Disabled)([^()]*)\)", re.M)
 
 
@@ -75,8 +75,7 @@ class Bench:
             return child.returncode, said
         finally:
             if child.poll() is None:
-                os.killpg(child.pid, signal.SIGKILL)
-                child.communicate()
+                end_all(child)
 
     def outcome(self, suites):
         """(ended, suite, test) of the tree as it stands, after the first of (suite, targets, arguments of ctest) that fails."""
@@ -117,6 +116,16 @@ class Bench:
             return self.outcome([own, ("all", (), ())])
         finally:
             path.write_bytes(kept)
+
+
+def end_all(child):
+    """Ninja asked to end takes its compilers along; killed, it leaves them."""
+    os.killpg(child.pid, signal.SIGTERM)
+    try:
+        child.communicate(timeout=10)
+    except subprocess.TimeoutExpired:
+        os.killpg(child.pid, signal.SIGKILL)
+        child.communicate()
 
 
 def first_error(said):
