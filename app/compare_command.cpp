@@ -12,6 +12,7 @@
 #include "app/child_process.hpp"
 #include "app/continuum_notes.hpp"
 #include "app/exit_codes.hpp"
+#include "app/signals.hpp"
 #include "compare/compare_file.hpp"
 #include "compare/medium.hpp"
 #include "compare/summary.hpp"
@@ -219,7 +220,9 @@ int run_report(const std::filesystem::path& folder) {
     }
     spdlog::info("drawing the figures and the report");
     const std::filesystem::path script = share_folder() / "scripts" / "figures" / "report.py";
-    if (ChildProcess(drawing_python(), {script.string(), folder.string()}).wait() != 0) {
+    const int drawn = ChildProcess(drawing_python(), {script.string(), folder.string()}).wait_or_stop();
+    if (stop_requested()) return exit_code::stopped;
+    if (drawn != 0) {
         throw std::runtime_error(fmt::format("{}: drawing the report failed", folder.string()));
     }
     return exit_code::done;

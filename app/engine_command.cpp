@@ -52,7 +52,6 @@ void print_result(const ContinuumRun& run) {
 
 template <class Run>
 int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spent before, const std::string& parent) {
-    catch_signals();
     EngineLoop<Run> loop(run, files, options, before);
     try {
         if (loop.go() == Outcome::stopped) {
@@ -82,6 +81,7 @@ int start(const std::string& engine, const EngineOptions& options) {
     if (engine == "continuum" && (is_verification(scene.kind) || scene.kind == scene::Kind::uniform))
         return run_verification(scene, options);
     refuse_verification(scene, engine);
+    catch_signals();
     const EngineFiles files{options.out, engine};
     // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
     Run run(scene);
@@ -116,6 +116,7 @@ int resume(const std::string& engine, const EngineOptions& options) {
     if (!std::filesystem::is_directory(files.folder)) {
         throw files::NoInput(fmt::format("{}: no such run folder", files.folder.string()));
     }
+    catch_signals();
     const FolderLock lock(files.folder, engine);
     const files::CheckpointReader in(files.checkpoint());
     if (in.take_text("engine") != engine) {
