@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -13,7 +14,9 @@
 #include "app/continuum_notes.hpp"
 #include "app/exit_codes.hpp"
 #include "app/signals.hpp"
+#include "app/start_keys.hpp"
 #include "compare/compare_file.hpp"
+#include "compare/independence.hpp"
 #include "compare/medium.hpp"
 #include "compare/summary.hpp"
 #include "compare/validity.hpp"
@@ -128,6 +131,15 @@ fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle) {
     return first_cycle ? moments.first_cycle() : moments;
 }
 
+/// Each once, whatever the number of runs it holds for.
+Notes notes_of_starts(const std::vector<compare::AveragedRun>& runs) {
+    Notes notes;
+    for (const compare::AveragedRun& run : runs)
+        for (const std::string& note : notes_of_start(run.scene))
+            if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    return notes;
+}
+
 void print_number(const nlohmann::ordered_json& of, const std::string& name, const std::string& key) {
     const auto text = [](const nlohmann::ordered_json& value) {
         return value.is_number() ? fmt::format("{:.4g}", value.get<double>()) : std::string("-");
@@ -158,7 +170,8 @@ void print_summary(const nlohmann::ordered_json& summary) {
           std::pair{"omega_tau", "omega tau, mean over the layer"}, std::pair{"omega_tau_largest", "  largest"},
           std::pair{"packed_share", "share of mass above nu = 0.6"}, std::pair{"packed_share_largest", "  largest"}})
         if (validity.contains(name)) print_number(validity, words, name);
-    for (const auto& note : summary.at("continuum").at("notes")) fmt::print("note: {}\n", note.get<std::string>());
+    for (const char* engine : {"md", "continuum"})
+        for (const auto& note : summary.at(engine).at("notes")) fmt::print("note: {}\n", note.get<std::string>());
 }
 
 }  // namespace
@@ -171,6 +184,7 @@ int run_compare(const CompareOptions& options) {
     const files::Hdf5File continuum_file = open_output(continuum_folder, "continuum");
     const scene::Scene scene = scene_of(continuum_file, continuum_folder / "continuum.h5");
     std::optional<fields::PhaseMoments> md_moments;
+    std::vector<compare::AveragedRun> runs;
     CostOfRuns md_cost;
     for (const std::filesystem::path& md_folder : md_folders) {
         const files::Hdf5File file = open_output(md_folder, "md");
@@ -182,6 +196,7 @@ int run_compare(const CompareOptions& options) {
         }
         try {
             const fields::PhaseMoments moments = moments_of(file, options.first_cycle);
+            runs.push_back({md_folder / "md.h5", own, moments.centre_of_mass()});
             if (md_moments) {
                 md_moments->append(moments);
             } else {
@@ -192,6 +207,7 @@ int run_compare(const CompareOptions& options) {
         }
         md_cost.add(file, own);
     }
+    compare::refuse_dependent(runs);
     const compare::Medium medium = compare::medium_of(scene);
     const auto md = compare::measure(*md_moments, scene.motion, medium);
     const auto continuum = compare::measure(moments_of(continuum_file, options.first_cycle), scene.motion, medium);
@@ -201,6 +217,7 @@ int run_compare(const CompareOptions& options) {
                                 {continuum_file.read_text("/provenance/scene"), scene.md.seed, ""});
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
+    summary["md"]["notes"] = notes_of_starts(runs);
     summary["continuum"]["validity"] = validity_of(continuum_file);
     summary["continuum"]["notes"] = notes_of(continuum_file);
     for (const std::filesystem::path& md_folder : md_folders)

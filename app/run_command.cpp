@@ -19,6 +19,7 @@
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/signals.hpp"
+#include "app/start_keys.hpp"
 #include "app/verification_run.hpp"
 #include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
@@ -91,6 +92,7 @@ int run_both(const EngineOptions& options) {
         const scene::Scene scene = continuum::resolve(scene::read_scene(options.scene_file, options.overrides));
         refuse_verification(scene, "run");
         refuse_uniform(scene, "run");
+        refuse_phase_without_file(scene);
         // The hydrodynamics check their names and sizes here, before the MD begins in vain.
         continuum::Solver{scene};
         prepare_folder(folder, options.overwrite, scene::print_scene(scene));
