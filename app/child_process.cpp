@@ -89,7 +89,8 @@ std::string drawing_python() {
     std::vector<std::string> candidates{"python3", "/usr/bin/python3"};
     if (const char* chosen = std::getenv("SHAKEN_PYTHON")) candidates.insert(candidates.begin(), chosen);
     for (const std::string& python : candidates) {
-        if (ChildProcess(python, {"-c", "import matplotlib, h5py, numpy, tomllib"}, ChildProcess::Kind::silent).wait() == 0)
+        if (ChildProcess(python, {"-c", "import matplotlib, h5py, numpy, tomllib"}, ChildProcess::Kind::silent)
+                .wait() == 0)
             return python;
     }
     throw files::NoInput(

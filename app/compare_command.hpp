@@ -20,8 +20,8 @@ struct CompareOptions {
 /// files::NoInput where an engine's file is missing.
 int run_compare(const CompareOptions& options);
 
-/// Draws figures/ and report.html; exit_code::stopped where a signal ends that. Throws files::NoInput where compare.h5 is
-/// missing.
+/// Draws figures/ and report.html; exit_code::stopped where a signal ends that. Throws files::NoInput where compare.h5
+/// is missing.
 int run_report(const std::filesystem::path& folder);
 
 }  // namespace shaken::app

@@ -52,7 +52,8 @@ void print_result(const ContinuumRun& run) {
 }
 
 template <class Run>
-int finish(Run& run, const scene::Scene& scene, const EngineFiles& files, const EngineOptions& options, Spent before, const std::string& parent) {
+int finish(Run& run, const scene::Scene& scene, const EngineFiles& files, const EngineOptions& options, Spent before,
+           const std::string& parent) {
     EngineLoop<Run> loop(run, files, options, before);
     try {
         if (loop.go() == Outcome::stopped) {

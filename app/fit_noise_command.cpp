@@ -80,9 +80,10 @@ void refuse_rows_twice(const Table& table, const std::filesystem::path& path) {
         const auto [before, is_new] = first.emplace(row, i);
         constexpr std::size_t first_line = 2;
         if (!is_new)
-            throw files::Damaged(fmt::format("{0}:{1} and {0}:{2}: one run twice, value = {3} with equal mean_square and "
-                                             "order; an average is over independent runs",
-                                             path.string(), before->second + first_line, i + first_line, row[0]));
+            throw files::Damaged(
+                fmt::format("{0}:{1} and {0}:{2}: one run twice, value = {3} with equal mean_square and "
+                            "order; an average is over independent runs",
+                            path.string(), before->second + first_line, i + first_line, row[0]));
     }
 }
 

@@ -11,8 +11,8 @@ Notes notes_of_start(const scene::Scene& scene) {
     const bool seeds = scene.md.seed != scene::Md{}.seed || scene.initial.seed != scene::Initial{}.seed;
     if (scene.initial.file.empty() || !seeds) return {};
     return {
-        "The MD starts from initial.file, where md.seed and initial.seed have no part: runs from one state are one run, "
-        "whatever their seeds."};
+        "The MD starts from initial.file, where md.seed and initial.seed have no part: runs from one state are "
+        "one run, whatever their seeds."};
 }
 
 void refuse_phase_without_file(const scene::Scene& scene) {

@@ -50,9 +50,10 @@ void refuse_dependent(const std::vector<AveragedRun>& runs) {
         for (std::size_t i = 0; i + 1 < samples.size(); ++i) {
             const AveragedRun& earlier = runs[i];
             const auto refuse = [&](const std::string& common) {
-                throw files::Damaged(fmt::format("{} and {} are not independent: {}; an average is over runs of other "
-                                                 "seeds, or from other states",
-                                                 earlier.path.string(), run.path.string(), common));
+                throw files::Damaged(
+                    fmt::format("{} and {} are not independent: {}; an average is over runs of other "
+                                "seeds, or from other states",
+                                earlier.path.string(), run.path.string(), common));
             };
             std::error_code ignored;
             if (std::filesystem::equivalent(earlier.path, run.path, ignored)) refuse("they are one file");

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Whether runs that are averaged are independent: an average over k copies of one run has the error of one, not 1/sqrt(k)
-// of it. Grains that collide are chaotic, so that two runs meet in the bits of z_cm only where they are one trajectory.
+// Whether runs that are averaged are independent: an average over k copies of one run has the error of one, not
+// 1/sqrt(k) of it. Grains that collide are chaotic, so that two runs meet in the bits of z_cm only where they are one
+// trajectory.
 #pragma once
 
 #include <filesystem>

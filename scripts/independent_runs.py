@@ -18,6 +18,8 @@ class Run:
 
     def __init__(self, folder):
         self.path = pathlib.Path(folder) / "md.h5"
+        if not self.path.is_file():
+            raise FileNotFoundError(f"{self.path}: no such file; whether runs are independent is told from it")
         with h5py.File(self.path) as file:
             scene = tomllib.loads(file["provenance/scene"][()].decode())
             heights = file["profiles/centre_of_mass"][:]
@@ -38,7 +40,7 @@ def in_common(one, other):
 
 
 def why_dependent(folders):
-    """A sentence with both names, of the first two that are not independent; empty where all are. Throws OSError where an md.h5 is missing."""
+    """A sentence with both names, of the first two that are not independent; empty where all are. Raises FileNotFoundError where an md.h5 is not there."""
     for one, other in itertools.combinations([Run(folder) for folder in folders], 2):
         if common := in_common(one, other):
             return f"{one.path} and {other.path} are not independent: {common}; an average is over runs of other seeds, or from other states"

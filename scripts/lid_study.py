@@ -53,7 +53,12 @@ def main():
     parser.add_argument("runs", nargs="+", type=pathlib.Path, metavar="MD_RUN_FOLDER")
     parser.add_argument("--shaken", default="build/release/shaken")
     options = parser.parse_args()
-    if dependent := independent_runs.why_dependent(options.runs):
+    try:
+        dependent = independent_runs.why_dependent(options.runs)
+    except FileNotFoundError as error:
+        print(f"lid_study: {error}", file=sys.stderr)
+        return 66
+    if dependent:
         print(f"lid_study: {dependent}", file=sys.stderr)
         return 65
     grains = np.mean([of_grains(run) for run in options.runs], axis=0)

@@ -54,7 +54,7 @@ def main():
     summaries = [json.loads((pathlib.Path(folder) / "summary.json").read_text()) for folder in sys.argv[1:]]
     try:
         dependent = independent_runs.why_dependent([run for summary in summaries for run in summary["runs"]["md"]])
-    except OSError as error:
+    except FileNotFoundError as error:
         print(f"mean_of_runs: {error}", file=sys.stderr)
         return 66
     if dependent:

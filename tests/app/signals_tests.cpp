@@ -63,8 +63,9 @@ TEST_CASE("a run that is asked to stop early stops with both checkpoints") {
 TEST_CASE("a run whose disk is full says so, whatever the engine that is told to stop was doing") {
     const support::TemporaryFolder folder;
     for (int birth = 0; birth < 14; ++birth) {
-        const auto full = support::shell("ulimit -f 60; " SHAKEN_COMMAND " -q run " + std::string(support::small_scene) +
-                                         " --out " + (folder / std::to_string(birth)).string());
+        const auto full =
+            support::shell("ulimit -f 60; " SHAKEN_COMMAND " -q run " + std::string(support::small_scene) + " --out " +
+                           (folder / std::to_string(birth)).string());
         INFO("run " << birth << ": " << full.text);
         REQUIRE(full.code == 74);
     }

@@ -75,6 +75,14 @@ class CountedTwice(unittest.TestCase):
         self.assert_refused(mean("a", "a"), "a/md.h5 are not independent", "one file")
         self.assert_refused(mean("a", "again"), "a/md.h5 and ", "again/md.h5", "start alike")
         self.assert_refused(mean("b", "from_a", "from_a_later"), "from_a_later/md.h5", "share 3 cycles")
+        (self.folder / "again/md.h5").rename(self.folder / "again/aside.h5")
+        gone = mean("a", "again")
+        (self.folder / "again/aside.h5").rename(self.folder / "again/md.h5")
+        self.assertEqual((gone.returncode, gone.stderr.count("\n")), (66, 1))
+
+    def test_lid_study_too(self):
+        done = subprocess.run([sys.executable, SOURCE / "scripts/lid_study.py", self.folder / "a", self.folder / "again"], capture_output=True, text=True)
+        self.assert_refused(done, "are not independent", "start alike")
 
     def test_a_row_twice_is_no_second_run(self):
         table = self.folder / "onset.csv"
