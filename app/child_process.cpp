@@ -8,24 +8,31 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
 #include <stdexcept>
+#include <thread>
 
+#include "app/signals.hpp"
 #include "files/errors.hpp"
 
 namespace shaken::app {
 
-ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments, bool silent) {
+ChildProcess::ChildProcess(const std::string& program, const std::vector<std::string>& arguments, Kind kind) {
     std::vector<char*> argv{const_cast<char*>(program.c_str())};
     for (const std::string& argument : arguments) argv.push_back(const_cast<char*>(argument.c_str()));
     argv.push_back(nullptr);
+    const pid_t parent = ::getpid();
+    const SignalsHeld held;
     pid_ = ::fork();
     if (pid_ < 0) throw std::runtime_error(fmt::format("{} cannot be started: {}", program, std::strerror(errno)));
     if (pid_ == 0) {
         ::prctl(PR_SET_PDEATHSIG, SIGTERM);  // a child does not outlive its parent: it stops with a checkpoint
-        if (silent) {
+        if (::getppid() != parent) ::raise(SIGTERM);
+        if (kind == Kind::plain) held.let_in_to_end_it();
+        if (kind == Kind::silent) {
             const int nowhere = ::open("/dev/null", O_WRONLY);
             ::dup2(nowhere, STDOUT_FILENO);
             ::dup2(nowhere, STDERR_FILENO);
@@ -56,6 +63,17 @@ int ChildProcess::wait() {
     return *code_;
 }
 
+int ChildProcess::wait_or_stop() {
+    while (!poll()) {
+        if (stop_requested()) {
+            signal(SIGTERM);
+            return wait();
+        }
+        std::this_thread::sleep_for(std::chrono::milliseconds(20));
+    }
+    return *code_;
+}
+
 void ChildProcess::signal(int number) const {
     if (!code_) ::kill(pid_, number);
 }
@@ -71,7 +89,9 @@ std::string drawing_python() {
     std::vector<std::string> candidates{"python3", "/usr/bin/python3"};
     if (const char* chosen = std::getenv("SHAKEN_PYTHON")) candidates.insert(candidates.begin(), chosen);
     for (const std::string& python : candidates) {
-        if (ChildProcess(python, {"-c", "import matplotlib, h5py, numpy, tomllib"}, true).wait() == 0) return python;
+        if (ChildProcess(python, {"-c", "import matplotlib, h5py, numpy, tomllib"}, ChildProcess::Kind::silent)
+                .wait() == 0)
+            return python;
     }
     throw files::NoInput(
         "no python3 with matplotlib, h5py and numpy is here; Debian's packages are python3-matplotlib, python3-h5py, "

@@ -14,11 +14,18 @@ namespace shaken::app {
 /// A running child; its standard streams are ours.
 class ChildProcess {
   public:
+    enum class Kind {
+        plain,
+        silent,     // what it says goes nowhere; too brief to be stopped
+        listening,  // calls catch_signals(), for which the signals of app/signals.hpp wait
+    };
     /// Starts `program` (a path, or a name to be found on PATH). Throws std::runtime_error if it cannot be started.
-    ChildProcess(const std::string& program, const std::vector<std::string>& arguments, bool silent = false);
+    ChildProcess(const std::string& program, const std::vector<std::string>& arguments, Kind kind = Kind::plain);
     /// Exit code if it has ended (128 + signal if killed by one), nothing while it runs.
     std::optional<int> poll();
     int wait();
+    /// wait(), but passes a wish to stop on to the child.
+    int wait_or_stop();
     void signal(int number) const;
 
   private:

@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -12,7 +13,10 @@
 #include "app/child_process.hpp"
 #include "app/continuum_notes.hpp"
 #include "app/exit_codes.hpp"
+#include "app/signals.hpp"
+#include "app/start_keys.hpp"
 #include "compare/compare_file.hpp"
+#include "compare/independence.hpp"
 #include "compare/medium.hpp"
 #include "compare/summary.hpp"
 #include "compare/validity.hpp"
@@ -127,6 +131,15 @@ fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle) {
     return first_cycle ? moments.first_cycle() : moments;
 }
 
+/// Each once, whatever the number of runs it holds for.
+Notes notes_of_starts(const std::vector<compare::AveragedRun>& runs) {
+    Notes notes;
+    for (const compare::AveragedRun& run : runs)
+        for (const std::string& note : notes_of_start(run.scene))
+            if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
+    return notes;
+}
+
 void print_number(const nlohmann::ordered_json& of, const std::string& name, const std::string& key) {
     const auto text = [](const nlohmann::ordered_json& value) {
         return value.is_number() ? fmt::format("{:.4g}", value.get<double>()) : std::string("-");
@@ -157,7 +170,8 @@ void print_summary(const nlohmann::ordered_json& summary) {
           std::pair{"omega_tau", "omega tau, mean over the layer"}, std::pair{"omega_tau_largest", "  largest"},
           std::pair{"packed_share", "share of mass above nu = 0.6"}, std::pair{"packed_share_largest", "  largest"}})
         if (validity.contains(name)) print_number(validity, words, name);
-    for (const auto& note : summary.at("continuum").at("notes")) fmt::print("note: {}\n", note.get<std::string>());
+    for (const char* engine : {"md", "continuum"})
+        for (const auto& note : summary.at(engine).at("notes")) fmt::print("note: {}\n", note.get<std::string>());
 }
 
 }  // namespace
@@ -170,6 +184,7 @@ int run_compare(const CompareOptions& options) {
     const files::Hdf5File continuum_file = open_output(continuum_folder, "continuum");
     const scene::Scene scene = scene_of(continuum_file, continuum_folder / "continuum.h5");
     std::optional<fields::PhaseMoments> md_moments;
+    std::vector<compare::AveragedRun> runs;
     CostOfRuns md_cost;
     for (const std::filesystem::path& md_folder : md_folders) {
         const files::Hdf5File file = open_output(md_folder, "md");
@@ -181,6 +196,7 @@ int run_compare(const CompareOptions& options) {
         }
         try {
             const fields::PhaseMoments moments = moments_of(file, options.first_cycle);
+            runs.push_back({md_folder / "md.h5", own, moments.centre_of_mass()});
             if (md_moments) {
                 md_moments->append(moments);
             } else {
@@ -191,6 +207,7 @@ int run_compare(const CompareOptions& options) {
         }
         md_cost.add(file, own);
     }
+    compare::refuse_dependent(runs);
     const compare::Medium medium = compare::medium_of(scene);
     const auto md = compare::measure(*md_moments, scene.motion, medium);
     const auto continuum = compare::measure(moments_of(continuum_file, options.first_cycle), scene.motion, medium);
@@ -200,6 +217,7 @@ int run_compare(const CompareOptions& options) {
                                 {continuum_file.read_text("/provenance/scene"), scene.md.seed, ""});
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
+    summary["md"]["notes"] = notes_of_starts(runs);
     summary["continuum"]["validity"] = validity_of(continuum_file);
     summary["continuum"]["notes"] = notes_of(continuum_file);
     for (const std::filesystem::path& md_folder : md_folders)
@@ -219,7 +237,9 @@ int run_report(const std::filesystem::path& folder) {
     }
     spdlog::info("drawing the figures and the report");
     const std::filesystem::path script = share_folder() / "scripts" / "figures" / "report.py";
-    if (ChildProcess(drawing_python(), {script.string(), folder.string()}).wait() != 0) {
+    const int drawn = ChildProcess(drawing_python(), {script.string(), folder.string()}).wait_or_stop();
+    if (stop_requested()) return exit_code::stopped;
+    if (drawn != 0) {
         throw std::runtime_error(fmt::format("{}: drawing the report failed", folder.string()));
     }
     return exit_code::done;

@@ -15,11 +15,13 @@ struct CompareOptions {
 };
 
 /// Reads md.h5 and continuum.h5, writes compare.h5 and summary.json, prints the numbers. Several MD runs are averaged:
-/// they and the continuum's may differ in seeds, start, length and [continuum], else scene::SceneError. The sound speed
-/// is that of the continuum's scene. Throws files::NoInput where an engine's file is missing.
+/// they and the continuum's may differ in seeds, start, length and [continuum], and the MD runs must be independent
+/// (compare/independence.hpp), else files::Damaged. The sound speed is that of the continuum's scene. Throws
+/// files::NoInput where an engine's file is missing.
 int run_compare(const CompareOptions& options);
 
-/// Draws figures/ and report.html. Throws files::NoInput where compare.h5 is missing.
+/// Draws figures/ and report.html; exit_code::stopped where a signal ends that. Throws files::NoInput where compare.h5
+/// is missing.
 int run_report(const std::filesystem::path& folder);
 
 }  // namespace shaken::app

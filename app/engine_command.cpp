@@ -13,6 +13,7 @@
 #include "app/exit_codes.hpp"
 #include "app/md_run.hpp"
 #include "app/run_folder.hpp"
+#include "app/start_keys.hpp"
 #include "app/uniform_run.hpp"
 #include "app/verification_run.hpp"
 #include "continuum/errors.hpp"
@@ -51,8 +52,8 @@ void print_result(const ContinuumRun& run) {
 }
 
 template <class Run>
-int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spent before, const std::string& parent) {
-    catch_signals();
+int finish(Run& run, const scene::Scene& scene, const EngineFiles& files, const EngineOptions& options, Spent before,
+           const std::string& parent) {
     EngineLoop<Run> loop(run, files, options, before);
     try {
         if (loop.go() == Outcome::stopped) {
@@ -70,7 +71,10 @@ int finish(Run& run, const EngineFiles& files, const EngineOptions& options, Spe
         throw;
     }
     loop.finish("finished");
-    if (!options.as_child) print_result(run);
+    if (options.as_child) return exit_code::done;
+    print_result(run);
+    if (run.name() == "md")
+        for (const std::string& note : notes_of_start(scene)) fmt::print("note: {}\n", note);
     return exit_code::done;
 }
 
@@ -82,13 +86,15 @@ int start(const std::string& engine, const EngineOptions& options) {
     if (engine == "continuum" && (is_verification(scene.kind) || scene.kind == scene::Kind::uniform))
         return run_verification(scene, options);
     refuse_verification(scene, engine);
+    refuse_phase_without_file(scene);
+    catch_signals();
     const EngineFiles files{options.out, engine};
     // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
     Run run(scene);
     if (!options.as_child) prepare_folder(files.folder, options.overwrite, scene::print_scene(scene));
     const FolderLock lock(files.folder, engine);
     if (!options.as_child) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
-    return finish(run, files, options, {}, "");
+    return finish(run, scene, files, options, {}, "");
 }
 
 /// A resumed run goes on with the scene it began with; a scene.toml that says otherwise would be a lie beside its
@@ -116,6 +122,7 @@ int resume(const std::string& engine, const EngineOptions& options) {
     if (!std::filesystem::is_directory(files.folder)) {
         throw files::NoInput(fmt::format("{}: no such run folder", files.folder.string()));
     }
+    catch_signals();
     const FolderLock lock(files.folder, engine);
     const files::CheckpointReader in(files.checkpoint());
     if (in.take_text("engine") != engine) {
@@ -123,13 +130,14 @@ int resume(const std::string& engine, const EngineOptions& options) {
                                          in.take_text("engine"), engine));
     }
     refuse_edited_scene(files.folder / "scene.toml", in.take_text("scene"));
-    Run run(scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)"));
+    const scene::Scene scene = scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)");
+    Run run(scene);
     run.restore(in);
     if (run.next_sample() == run.samples() && files::Hdf5File::is_readable(files.output())) {
         spdlog::info("{}: {} is complete", engine, files.output().string());
         return exit_code::done;
     }
-    return finish(run, files, options, in.take_one<Spent>("spent"), files.checkpoint().string());
+    return finish(run, scene, files, options, in.take_one<Spent>("spent"), files.checkpoint().string());
 }
 
 template <class Run>

@@ -5,6 +5,8 @@
 #include <spdlog/spdlog.h>
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <fstream>
 #include <map>
 #include <memory>
@@ -69,9 +71,26 @@ Table read_table(const std::filesystem::path& path, const std::vector<std::strin
     return table;
 }
 
+/// Rows of one control are runs of their own, not one run again.
+void refuse_rows_twice(const Table& table, const std::filesystem::path& path) {
+    std::map<std::array<double, 3>, std::size_t> first;
+    for (std::size_t i = 0; i < table.at("value").size(); ++i) {
+        const std::array row{table.at("value")[i], table.at("mean_square")[i], table.at("order")[i]};
+        if (std::isnan(row[1] + row[2])) continue;
+        const auto [before, is_new] = first.emplace(row, i);
+        constexpr std::size_t first_line = 2;
+        if (!is_new)
+            throw files::Damaged(
+                fmt::format("{0}:{1} and {0}:{2}: one run twice, value = {3} with equal mean_square and "
+                            "order; an average is over independent runs",
+                            path.string(), before->second + first_line, i + first_line, row[0]));
+    }
+}
+
 /// <psi^2> and P_max against the control: the mean of the rows (seeds) of each value, in order.
 compare::OnsetCurve read_measured(const std::filesystem::path& path) {
     const Table table = read_table(path, {"value", "mean_square", "order"}, {"mean_square_error", "order_error"});
+    refuse_rows_twice(table, path);
     const auto& value = table.at("value");
     const std::set<double> controls(value.begin(), value.end());
     compare::OnsetCurve curve;

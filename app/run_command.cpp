@@ -19,6 +19,7 @@
 #include "app/progress.hpp"
 #include "app/run_folder.hpp"
 #include "app/signals.hpp"
+#include "app/start_keys.hpp"
 #include "app/verification_run.hpp"
 #include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
@@ -86,10 +87,12 @@ std::array<int, 2> wait_for(std::array<ChildProcess, 2>& children, const std::ar
 
 int run_both(const EngineOptions& options) {
     const std::filesystem::path folder = options.resume.empty() ? options.out : options.resume;
+    catch_signals();
     if (options.resume.empty()) {
         const scene::Scene scene = continuum::resolve(scene::read_scene(options.scene_file, options.overrides));
         refuse_verification(scene, "run");
         refuse_uniform(scene, "run");
+        refuse_phase_without_file(scene);
         // The hydrodynamics check their names and sizes here, before the MD begins in vain.
         continuum::Solver{scene};
         prepare_folder(folder, options.overwrite, scene::print_scene(scene));
@@ -98,13 +101,13 @@ int run_both(const EngineOptions& options) {
         scene::read_scene(folder / "scene.toml");
     }
     const FolderLock lock(folder, "run");
-    catch_signals();
     const std::array<EngineFiles, 2> files{EngineFiles{folder, "md"}, EngineFiles{folder, "continuum"}};
     // Both engines share the cores: a thread that waits must not burn what the other engine needs.
     setenv("OMP_WAIT_POLICY", "passive", 0);
     const std::string self = own_path().string();
-    std::array<ChildProcess, 2> children{ChildProcess(self, child_arguments(files[0], options)),
-                                         ChildProcess(self, child_arguments(files[1], options))};
+    constexpr auto listening = ChildProcess::Kind::listening;
+    std::array<ChildProcess, 2> children{ChildProcess(self, child_arguments(files[0], options), listening),
+                                         ChildProcess(self, child_arguments(files[1], options), listening)};
     const std::array<int, 2> codes = wait_for(children, files, options.quiet);
 
     for (std::size_t i = 0; i < 2; ++i) {
@@ -114,12 +117,13 @@ int run_both(const EngineOptions& options) {
             return codes[i];
         }
     }
-    if (codes[0] == exit_code::stopped || codes[1] == exit_code::stopped) {
+    const auto stopped = [&] {
         spdlog::warn("stopped; go on with: shaken run --resume {}", folder.string());
         return exit_code::stopped;
-    }
+    };
+    if (codes[0] == exit_code::stopped || codes[1] == exit_code::stopped || stop_requested()) return stopped();
     run_compare({folder, {}, {}, false});
-    run_report(folder);
+    if (stop_requested() || run_report(folder) == exit_code::stopped) return stopped();
     spdlog::info("the report is {}", (folder / "report.html").string());
     return exit_code::done;
 }

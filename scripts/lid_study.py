@@ -10,10 +10,14 @@ import argparse
 import itertools
 import pathlib
 import subprocess
+import sys
 import tempfile
 
 import h5py
 import numpy as np
+
+sys.dont_write_bytecode = True
+import independent_runs
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
 ENDS, HEIGHTS = ("stress_free", "lid"), (200, 120, 100, 80, 60)
@@ -49,6 +53,14 @@ def main():
     parser.add_argument("runs", nargs="+", type=pathlib.Path, metavar="MD_RUN_FOLDER")
     parser.add_argument("--shaken", default="build/release/shaken")
     options = parser.parse_args()
+    try:
+        dependent = independent_runs.why_dependent(options.runs)
+    except FileNotFoundError as error:
+        print(f"lid_study: {error}", file=sys.stderr)
+        return 66
+    if dependent:
+        print(f"lid_study: {dependent}", file=sys.stderr)
+        return 65
     grains = np.mean([of_grains(run) for run in options.runs], axis=0)
     highest = None
     print("end          height   force %   z_cm %   half a diameter up   against the highest")
@@ -58,7 +70,8 @@ def main():
             highest = height if highest is None else highest
             print(f"{end:11}  {top:6}   {100 * force:7.3f}   {rms(height, grains):6.2f}   {rms(height + 0.5, grains):18.2f}   {rms(height, highest):19.4f}",
                   flush=True)
+    return 0
 
 
 if __name__ == "__main__":
-    main()
+    sys.exit(main())

@@ -2,12 +2,16 @@
 """Mean and standard error over runs that differ in their seeds: scripts/mean_of_runs.py DIR DIR ...
 
 Reads summary.json of each folder. The rms difference of z_cm is taken of the mean z_cm of all runs, since noise adds to the
-rms of a single one; its error is a jackknife over runs.
+rms of a single one; its error is a jackknife over runs. Runs that are not independent are refused (65): the md.h5 that the summaries
+name must be there to tell.
 """
 import json
 import math
 import pathlib
 import sys
+
+sys.dont_write_bytecode = True
+import independent_runs
 
 NUMBERS = ("md.shock.formation_phase", "md.shock.fully_formed_phase", "md.shock.leaving_phase", "md.shock.mean_speed",
            "md.max_mach", "md.width_over_mean_free_path", "md.collisions_per_particle_per_cycle",
@@ -48,6 +52,14 @@ def main():
         print(__doc__, file=sys.stderr)
         return 2
     summaries = [json.loads((pathlib.Path(folder) / "summary.json").read_text()) for folder in sys.argv[1:]]
+    try:
+        dependent = independent_runs.why_dependent([run for summary in summaries for run in summary["runs"]["md"]])
+    except FileNotFoundError as error:
+        print(f"mean_of_runs: {error}", file=sys.stderr)
+        return 66
+    if dependent:
+        print(f"mean_of_runs: {dependent}", file=sys.stderr)
+        return 65
     print(f"{len(summaries)} runs")
     for key in NUMBERS:
         values = [value for value in (find(summary, key) for summary in summaries) if value is not None]

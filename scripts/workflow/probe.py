@@ -26,7 +26,7 @@ GRAINS_UNTIL = 2       # sample of an MD probe that is looked at, of twenty a cy
 SPACING, COLUMNS, SIDE, MOST_SECONDS = 0.4, 12, 10.0, 20
 LENGTH = {"layer": ("sample.settle=0", "sample.average=1", "sample.phases=20", "sample.frames=0", "sample.frame_cycles=1"),
           "uniform": ("sample.settle=0", "sample.duration=2", "sample.interval=0.25")}
-LEFT_OUT = ("sample.", "md.seed=", "initial.seed=", "initial.file=", "continuum.spacing")  # of a layer's or a gas's own settings
+LEFT_OUT = ("sample.", "md.seed=", "initial.seed=", "initial.file=", "initial.phase=", "continuum.spacing")  # of a layer's or a gas's own settings
 
 
 @dataclasses.dataclass(frozen=True)

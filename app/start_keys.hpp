@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: MIT
+// Keys of a scene that cannot act on the start that it names.
+#pragma once
+
+#include "app/continuum_notes.hpp"
+#include "scene/scene.hpp"
+
+namespace shaken::app {
+
+/// Of the MD: seeds beside a start from a file, in which nothing is random. Seeds left at their default say nothing.
+Notes notes_of_start(const scene::Scene& scene);
+
+/// Throws scene::SceneError at initial.phase without initial.file: the random start stands at ft = 0.
+void refuse_phase_without_file(const scene::Scene& scene);
+
+}  // namespace shaken::app
