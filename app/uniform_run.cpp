@@ -154,16 +154,19 @@ std::vector<Measured> UniformRun::results() const {
     std::vector<Measured> all;
     const Measured a2 = mean_of("fourth cumulant a2", cumulant, std::nullopt, "");
     const std::string klm = "Kolafa, Labik and Malijevsky 2004";
+    const std::string of_few = " for N particles (Lebowitz and Percus 1961)";
     const std::string inelastic = e == 1.0 ? "" : ", to first order in the measured a2";
     all.push_back(mean_of("compressibility Z = p/(nT)", compressibility,
-                          e ? std::optional(theory::compressibility(phi, *e)) : std::nullopt,
-                          e == 1.0 ? klm : klm + " times (1 + e)/2"));
+                          e ? std::optional(theory::compressibility(phi, *e, count)) : std::nullopt,
+                          (e == 1.0 ? klm : klm + " times (1 + e)/2") + of_few));
     if (e == 1.0)
         all.push_back(mean_of("compressibility Z = p/(nT)", compressibility,
-                              theory::compressibility_carnahan_starling(phi), "Carnahan and Starling 1969"));
-    all.push_back(mean_of("collision rate / sqrt(T)", rate,
-                          e ? std::optional(theory::collision_rate(phi, e == 1.0 ? 0.0 : a2.value)) : std::nullopt,
-                          "Enskog with chi of " + klm + inelastic));
+                              theory::compressibility_carnahan_starling(phi, count),
+                              "Carnahan and Starling 1969" + of_few));
+    all.push_back(
+        mean_of("collision rate / sqrt(T)", rate,
+                e ? std::optional(theory::collision_rate(phi, e == 1.0 ? 0.0 : a2.value, count)) : std::nullopt,
+                "Enskog with chi of " + klm + of_few + inelastic));
     all.push_back(a2);
     if (e) {
         all.back().reference = e == 1.0 ? -2.0 / (3.0 * count - 1.0) : theory::cooling_cumulant(*e);
@@ -171,8 +174,8 @@ std::vector<Measured> UniformRun::results() const {
             e == 1.0 ? "Maxwell, of N particles with one energy" : "van Noije and Ernst 1998, first order";
     }
     if (e && *e < 1.0)
-        all.push_back(mean_of("growth of 1/sqrt(T)", cooling, theory::cooling_rate(phi, *e, a2.value),
-                              "Haff 1983 with chi of " + klm + inelastic));
+        all.push_back(mean_of("growth of 1/sqrt(T)", cooling, theory::cooling_rate(phi, *e, a2.value, count),
+                              "Haff 1983 with chi of " + klm + of_few + inelastic));
     if (std::holds_alternative<scene::RestitutionVelocity>(scene_.particles.restitution) && blocks > 1) {
         const auto half = late.begin() + static_cast<std::ptrdiff_t>(blocks / 2);
         const Measured early = mean_of("", {late.begin(), half}, std::nullopt, "");
@@ -200,7 +203,7 @@ std::vector<Measured> UniformRun::results() const {
             if (m.name != a2.name) m.reference.reset();
         if (e == 1.0 && phi >= theory::melting) {
             all.front().reference = theory::compressibility_crystal(phi);
-            all.front().source = "Speedy 1998, face-centred cubic crystal";
+            all.front().source = "Speedy 1998, infinite face-centred cubic crystal";
         }
     }
     return all;

@@ -28,7 +28,7 @@ ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_heigh
     : motion_(scene.motion),
       times_(scene.sample),
       floor_height_(floor_height),
-      moments_(scene_moments(scene)),
+      moments_(scene_moments(scene, fields::Deposits::cells)),
       maps_(scene_map_grid(scene)) {}
 
 void ContinuumSampler::keep_map(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase) {

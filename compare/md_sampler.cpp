@@ -18,10 +18,11 @@ fields::Bins scene_bins(const scene::Scene& scene) {
     return {0.0, width, static_cast<std::int64_t>(std::ceil(scene.continuum.lid / width - 1e-9))};
 }
 
-fields::PhaseMoments scene_moments(const scene::Scene& scene) {
+fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits) {
     const scene::Sample& sample = scene.sample;
-    return {sample.phases, scene_bins(scene), scene.box.x * scene.box.y, sample.average,
-            std::min(sample.average, most_blocks)};
+    return {deposits,          sample.phases,
+            scene_bins(scene), scene.box.x * scene.box.y,
+            sample.average,    std::min(sample.average, most_blocks)};
 }
 
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene) {
@@ -36,7 +37,10 @@ bool is_map(const scene::Sample& sample, std::int64_t phase) {
 }
 
 MdSampler::MdSampler(const scene::Scene& scene)
-    : motion_(scene.motion), times_(scene.sample), moments_(scene_moments(scene)), maps_(scene_map_grid(scene)) {}
+    : motion_(scene.motion),
+      times_(scene.sample),
+      moments_(scene_moments(scene, fields::Deposits::particles)),
+      maps_(scene_map_grid(scene)) {}
 
 void MdSampler::sample(const md::Snapshot& snapshot, std::int64_t cycle, std::int64_t phase) {
     if (is_map(times_, phase)) {

@@ -17,8 +17,8 @@ namespace shaken::compare {
 /// Particles above the lid count in the centre of mass only.
 fields::Bins scene_bins(const scene::Scene& scene);
 
-/// Empty sums for a scene: its phases, bins, area, cycles averaged over, in at most ten blocks.
-fields::PhaseMoments scene_moments(const scene::Scene& scene);
+/// Empty sums of an engine for a scene: its phases, bins, area, cycles averaged over, in at most ten blocks.
+fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits);
 
 /// The horizontal bins of a scene's maps, as wide as [sample] map_bin as nearly as whole bins can be; none without it.
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene);

@@ -16,6 +16,7 @@ struct Fall {
 /// Every fall along a list of temperatures, bumps below the prominence ignored.
 std::vector<Fall> find_falls(const std::vector<double>& temperature, double prominence) {
     std::vector<Fall> falls;
+    if (temperature.empty()) return falls;
     std::size_t top = 0, foot = 0;
     const auto is_deep = [&] { return temperature[foot] < (1.0 - prominence) * temperature[top]; };
     for (std::size_t i = 1; i < temperature.size(); ++i) {

@@ -144,13 +144,15 @@ double profile_rms(const Analysis& continuum, const Analysis& md, Field field, d
     for (std::size_t phase = 0; phase < md.profiles.size(); ++phase) {
         const fields::Profile &theirs = md.profiles[phase], &ours = continuum.profiles.at(phase);
         for (std::size_t bin = 0; bin < theirs.density.size(); ++bin) {
-            if (theirs.volume_fraction(static_cast<std::int64_t>(bin)) <= layer_volume_fraction) continue;
+            if (!(theirs.volume_fraction(static_cast<std::int64_t>(bin)) > layer_volume_fraction)) continue;
             const double place = std::max(0.0, static_cast<double>(bin) - lift / ours.bins.width);
             const auto below = static_cast<std::size_t>(place);
             const std::size_t above = std::min(below + 1, ours.density.size() - 1);
             const double share = place - static_cast<double>(below);
-            const double read = (1.0 - share) * value(ours, below) + share * value(ours, above);
+            const double read =
+                share == 0.0 ? value(ours, below) : (1.0 - share) * value(ours, below) + share * value(ours, above);
             const double reference = value(theirs, bin);
+            if (!std::isfinite(read) || !std::isfinite(reference)) continue;
             squares += (read - reference) * (read - reference);
             whole += reference * reference;
         }

@@ -40,8 +40,8 @@ double shock_location_rms(const Analysis& continuum, const Analysis& md, double 
 
 /// Root mean square of the difference of a field over the layer and the cycle, as a share of the field's own root mean
 /// square in MD: over all phases and all bins in which MD's volume fraction exceeds the layer's threshold. Velocities
-/// are relative to the plate. The continuum is read `lift` lower, linearly between bins (half a diameter: its floor is
-/// the lowest plane of centres).
+/// are relative to the plate; bins in which either is unknown do not count. The continuum is read `lift` lower,
+/// linearly between bins (half a diameter: its floor is the lowest plane of centres).
 enum class Field { density, velocity, temperature };
 double profile_rms(const Analysis& continuum, const Analysis& md, Field field, double lift = 0.0);
 

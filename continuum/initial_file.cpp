@@ -74,6 +74,9 @@ StoredFlow read_profile(const files::Hdf5File& file, const std::filesystem::path
     const double found = static_cast<double>(index) / phases;
     if (distance(found, phase) > nearest_allowed) refuse_phase(path, phase, found);
     const fields::Profile profile = moments.profile(index, origin.motion);
+    if (std::isnan(profile.density.front()))
+        throw files::Damaged(
+            fmt::format("{}: the run had not been averaged at ft = {:.6g} when it ended", path.string(), found));
     StoredFlow flow;
     flow.cells = {1, 1, profile.bins.count};
     flow.spacing = {1.0, 1.0, profile.bins.width};

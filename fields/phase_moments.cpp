@@ -16,17 +16,26 @@ namespace {
 
 enum Moment : std::size_t { mass, momentum_x, momentum_y, momentum_z, second_xx, second_yy, second_zz };
 
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+
+/// Samples over degrees of freedom, of a mean taken from the samples themselves.
+double freedom_lost_to_the_mean(Deposits deposits, double mass) {
+    if (deposits == Deposits::cells) return 1.0;
+    return mass > 1.0 ? mass / (mass - 1.0) : unknown;
+}
+
 }  // namespace
 
-PhaseMoments::PhaseMoments(std::int64_t phases, Bins bins, double area, std::int64_t cycles, std::int64_t blocks)
-    : phases_(phases), cycles_(cycles), blocks_(blocks), bins_(bins), area_(area) {
+PhaseMoments::PhaseMoments(Deposits deposits, std::int64_t phases, Bins bins, double area, std::int64_t cycles,
+                           std::int64_t blocks)
+    : deposits_(deposits), phases_(phases), cycles_(cycles), blocks_(blocks), bins_(bins), area_(area) {
     if (phases < 1 || bins.count < 1 || cycles < 1 || blocks < 1 || blocks > cycles || !(area > 0.0)) {
         throw std::invalid_argument(fmt::format("PhaseMoments: {} phases, {} bins, {} cycles, {} blocks, area {}",
                                                 phases, bins.count, cycles, blocks, area));
     }
     sums_.resize(static_cast<std::size_t>(blocks * phases * bins.count) * moments);
     samples_.resize(static_cast<std::size_t>(blocks * phases));
-    centre_of_mass_.assign(static_cast<std::size_t>(cycles * phases), std::numeric_limits<double>::quiet_NaN());
+    centre_of_mass_.assign(static_cast<std::size_t>(cycles * phases), unknown);
 }
 
 std::size_t PhaseMoments::offset(std::int64_t block, std::int64_t phase, std::int64_t bin) const {
@@ -92,20 +101,21 @@ Profile PhaseMoments::profile(std::int64_t phase, const scene::PlateMotion& moti
     p.plate_height = motion.position(time);
     p.plate_velocity = motion.velocity(time);
     for (auto* field : {&p.density, &p.velocity, &p.temperature, &p.temperature_z, &p.temperature_x})
-        field->assign(count, 0.0);
+        field->assign(count, unknown);
     if (samples == 0) return p;
     const double bin_volume = area_ * bins_.width * static_cast<double>(samples);
     for (std::size_t i = 0; i < count; ++i) {
         const double* sum = &total[i * moments];
+        p.density[i] = sum[mass] / bin_volume;
         if (sum[mass] <= 0.0) continue;
+        p.velocity[i] = sum[momentum_z] / sum[mass];
+        const double freedom = freedom_lost_to_the_mean(deposits_, sum[mass]);
         std::array<double, 3> variance{};
         for (std::size_t d = 0; d < 3; ++d) {
             const double mean = sum[momentum_x + d] / sum[mass];
-            // A bin with one particle has no spread; cancellation must not make it negative.
-            variance[d] = std::max(0.0, sum[second_xx + d] / sum[mass] - mean * mean);
+            // Cancellation must not make it negative.
+            variance[d] = freedom * std::max(0.0, sum[second_xx + d] / sum[mass] - mean * mean);
         }
-        p.density[i] = sum[mass] / bin_volume;
-        p.velocity[i] = sum[momentum_z] / sum[mass];
         p.temperature[i] = (variance[0] + variance[1] + variance[2]) / 3.0;
         p.temperature_z[i] = variance[2];
         p.temperature_x[i] = 0.5 * (variance[0] + variance[1]);
@@ -135,13 +145,14 @@ std::pair<double, double> PhaseMoments::mean_centre_of_mass(std::int64_t phase,
         spread += deviation * deviation;
         used += 1.0;
     }
-    const double error = used > 1.0 ? std::sqrt(spread / (used * (used - 1.0))) : 0.0;
+    const double error = used > 1.0 ? std::sqrt(spread / (used * (used - 1.0))) : unknown;
     return {mean, error};
 }
 
 void PhaseMoments::append(const PhaseMoments& other) {
-    const bool is_alike = phases_ == other.phases_ && bins_.lower == other.bins_.lower &&
-                          bins_.width == other.bins_.width && bins_.count == other.bins_.count && area_ == other.area_;
+    const bool is_alike = deposits_ == other.deposits_ && phases_ == other.phases_ &&
+                          bins_.lower == other.bins_.lower && bins_.width == other.bins_.width &&
+                          bins_.count == other.bins_.count && area_ == other.area_;
     // Whole blocks of one length, so that cycles still fall into their own blocks when they are counted through.
     const bool is_even = cycles_ % blocks_ == 0 && other.cycles_ % other.blocks_ == 0 &&
                          cycles_ / blocks_ == other.cycles_ / other.blocks_;
@@ -162,7 +173,7 @@ PhaseMoments PhaseMoments::first_cycle() const {
         throw std::invalid_argument(
             fmt::format("single cycles are kept of up to ten averaged; this run averaged {}", cycles_));
     }
-    PhaseMoments first(phases_, bins_, area_, 1, 1);
+    PhaseMoments first(deposits_, phases_, bins_, area_, 1, 1);
     const auto of_phase = static_cast<std::size_t>(bins_.count * moments);
     for (std::int64_t phase = 0; phase < phases_; ++phase) {
         const auto p = static_cast<std::size_t>(phase);
@@ -199,6 +210,7 @@ void PhaseMoments::write(files::Hdf5File& file, const std::string& group) const 
     file.write(group + "/bin_width", bins_.width);
     file.write(group + "/area", area_);
     file.attribute(group + "/sums", "moments", "mass, momentum x y z, second moment xx yy zz; sums over samples");
+    file.write_text(group + "/deposits", deposits_ == Deposits::particles ? "particles" : "cells");
 }
 
 PhaseMoments PhaseMoments::read(const files::Hdf5File& file, const std::string& group) {
@@ -208,8 +220,11 @@ PhaseMoments PhaseMoments::read(const files::Hdf5File& file, const std::string& 
     }
     const Bins bins{file.read_number(group + "/bin_lower"), file.read_number(group + "/bin_width"),
                     static_cast<std::int64_t>(shape[2])};
-    PhaseMoments result(static_cast<std::int64_t>(shape[1]), bins, file.read_number(group + "/area"),
-                        static_cast<std::int64_t>(cycles[0]), static_cast<std::int64_t>(shape[0]));
+    const bool is_of_particles =
+        file.has(group + "/deposits") ? file.read_text(group + "/deposits") == "particles" : file.has("/h5md");
+    PhaseMoments result(is_of_particles ? Deposits::particles : Deposits::cells, static_cast<std::int64_t>(shape[1]),
+                        bins, file.read_number(group + "/area"), static_cast<std::int64_t>(cycles[0]),
+                        static_cast<std::int64_t>(shape[0]));
     result.sums_ = file.read<double>(group + "/sums");
     result.samples_ = file.read<std::int64_t>(group + "/samples");
     result.centre_of_mass_ = file.read<double>(group + "/centre_of_mass");

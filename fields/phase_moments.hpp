@@ -3,6 +3,8 @@
 // plate. One rule for both engines: particles deposit themselves, continuum cells deposit the same moments of the
 // distribution they stand for, so a difference between profiles is never one of averaging. In particular a gradient
 // of u inside a bin adds to T alike in both (about (du/dz)^2 width^2 / 12 / 3).
+// Particles scatter about a mean taken from themselves, which costs each component one degree of freedom: T of M of
+// them is M/(M - 1) times their mean square deviation, and unknown for M = 1. A cell knows its mean and has T already.
 // Sums are kept in blocks of cycles, from which standard errors follow by leaving one block out (jackknife).
 #pragma once
 
@@ -20,13 +22,17 @@
 
 namespace shaken::fields {
 
+/// What is deposited.
+enum class Deposits { particles, cells };
+
 class PhaseMoments {
   public:
     /// Moments kept for each bin: mass, three momenta, three diagonal second moments.
     static constexpr int moments = 7;
 
     /// area: horizontal area of the cell, sigma^2. cycles: how many will be averaged. blocks <= cycles.
-    PhaseMoments(std::int64_t phases, Bins bins, double area, std::int64_t cycles, std::int64_t blocks);
+    PhaseMoments(Deposits deposits, std::int64_t phases, Bins bins, double area, std::int64_t cycles,
+                 std::int64_t blocks);
 
     /// Names the instant that the following deposits belong to: cycle counts from 0 at the start of averaging.
     void begin_sample(std::int64_t cycle, std::int64_t phase);
@@ -43,7 +49,8 @@ class PhaseMoments {
     const Bins& bins() const { return bins_; }
     double area() const { return area_; }
 
-    /// Averages over all blocks, or over all but one.
+    /// Averages over all blocks, or over all but one. NaN where unknown: everything at a phase that was never sampled,
+    /// u and T of an empty bin, T of one that a single particle visited.
     Profile profile(std::int64_t phase, const scene::PlateMotion& motion,
                     std::optional<std::int64_t> left_out_block = std::nullopt) const;
 
@@ -52,12 +59,13 @@ class PhaseMoments {
     const std::vector<double>& centre_of_mass() const { return centre_of_mass_; }
     /// Set by the owner of the sample, which knows all the mass (bins may end below the ceiling).
     void set_centre_of_mass(double height_lab);
-    /// Mean over cycles and its standard error over blocks, at a phase.
+    /// Mean over cycles and its standard error over blocks, at a phase; NaN where unknown.
     std::pair<double, double> mean_centre_of_mass(std::int64_t phase,
                                                   std::optional<std::int64_t> left_out_block = std::nullopt) const;
 
-    /// Takes the blocks of another run of the same layer in after its own: the average is then over both, and errors
-    /// are over the blocks of both. Throws std::invalid_argument unless phases, bins, area and cycles in a block agree.
+    /// Takes the blocks of another run of the same layer and engine in after its own: the average is then over both,
+    /// and errors are over the blocks of both. Throws std::invalid_argument unless deposits, phases, bins, area and
+    /// cycles in a block agree.
     void append(const PhaseMoments& other);
     /// Of every phase the first cycle that has it, as one block: a run that began in the middle of a cycle, followed
     /// until that phase comes again. Throws std::invalid_argument where cycles share a block, since a block keeps sums.
@@ -66,12 +74,14 @@ class PhaseMoments {
     void save(files::CheckpointWriter& out, const std::string& prefix) const;
     void restore(const files::CheckpointReader& in, const std::string& prefix);
     void write(files::Hdf5File& file, const std::string& group) const;
+    /// A file that does not say what was deposited holds particles if it is an H5MD file.
     static PhaseMoments read(const files::Hdf5File& file, const std::string& group);
 
   private:
     std::size_t offset(std::int64_t block, std::int64_t phase, std::int64_t bin) const;
     std::int64_t block_of(std::int64_t cycle) const { return cycle * blocks_ / cycles_; }
 
+    Deposits deposits_;
     std::int64_t phases_, cycles_, blocks_;
     Bins bins_;
     double area_;

@@ -13,8 +13,8 @@ struct Profile {
     double phase = 0.0;  // ft in [0, 1)
     Bins bins;
     std::vector<double> density;        // n, per sigma^3
-    std::vector<double> velocity;       // u_z in the lab frame, sqrt(g sigma)
-    std::vector<double> temperature;    // T = <|v - u|^2>/3, g sigma; 0 where the bin is empty
+    std::vector<double> velocity;       // u_z in the lab frame, sqrt(g sigma); NaN where the bin is empty
+    std::vector<double> temperature;    // T = <|v - u|^2>/3, g sigma; NaN where unknown (fields/phase_moments.hpp)
     std::vector<double> temperature_z;  // <(v_z - u_z)^2>
     std::vector<double> temperature_x;  // mean of the x and y parts
     double plate_height = 0.0;          // of the plate, lab frame

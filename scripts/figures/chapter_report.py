@@ -61,7 +61,7 @@ def write_table(out, summaries):
         writer.writerow(["comparison"] + [word for key, _ in COLUMNS for word in (key, key + "_error")])
         for name, s in summaries.items():
             if "md" in s:
-                writer.writerow([name] + [value for key, _ in COLUMNS for value in find(s, key)])
+                writer.writerow([name] + ["nan" if value is None else value for key, _ in COLUMNS for value in find(s, key)])
 
 
 if __name__ == "__main__":

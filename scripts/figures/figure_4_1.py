@@ -55,7 +55,7 @@ def temperature_limit(run, indices, top):
     for engine in (run.md, run.continuum):
         for i in indices:
             shown = (run.height + run.plate_height[i] < top) & (engine.volume_fraction[i] > THINNEST * LAYER_VOLUME_FRACTION)
-            hottest = max([hottest, *engine("temperature")[i][shown]])
+            hottest = np.nanmax([hottest, *engine("temperature")[i][shown]])
     return 5.0 * np.ceil(hottest / 5.0)
 
 
@@ -69,7 +69,8 @@ def draw_particles(axis, run, index, hottest):
     at = run.nearest(phase)
     plate = run.plate_height[at]
     position = position[np.argsort(-position[:, 1])]  # the front covers the back
-    temperature = np.interp(position[:, 2] - plate, run.height, run.md("temperature")[at])
+    told = np.isfinite(run.md("temperature")[at])
+    temperature = np.interp(position[:, 2] - plate, run.height[told], run.md("temperature")[at][told])
     grains = EllipseCollection(1.0, 1.0, 0.0, units="xy", offsets=position[:, [0, 2]], transOffset=axis.transData,
                                array=temperature, cmap="coolwarm", linewidths=0.15, edgecolors="black", rasterized=True)
     grains.set_clim(0, hottest)

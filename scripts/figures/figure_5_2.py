@@ -50,7 +50,7 @@ def draw(study):
             columns[name].append(value)
 
     for row in md:
-        if row["waves_x"]:
+        if tables.is_known(row["waves_x"]):
             point("MD", row["value"], row["waves_x"], row["coherent_share"], "o", DENSITY, row["coherent_share"] > ALTERNATES, 0)
     for label, closure, marker, colour, shift in CONTINUA:
         factors = []

@@ -49,7 +49,7 @@ def draw(study):
     for axis, key in ((upper, "mean_square"), (lower, "order")):
         points(axis, [row["value"] for row in down], [row[key] for row in down], y_error=[row[f"{key}_error"] for row in down], marker="v", ms=6, color=LENGTH, mfc="none",
                label="MD, from the stripes of 2.2")
-    interpolated = [row for row in tables.rows("ch6_onset_md.csv") if isinstance(row.get("interpolated_order"), float)]
+    interpolated = [row for row in tables.rows("ch6_onset_md.csv") if tables.is_known(row.get("interpolated_order"))]
     points(lower, *([row[key] for row in interpolated] for key in ("value", "interpolated_order")), y_error=[row["interpolated_order_error"] for row in interpolated],
            marker="^", ms=5, color=TEMPERATURE)
     lower.axhline(PLANE_WAVE, color=TEMPERATURE, lw=0.7)

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from stability_look import THEORY, columns, default, legend, of_map, read, rows_panel, scatter, theory, title
+from stability_look import THEORY, columns, default, is_known, legend, of_map, read, rows_panel, scatter, theory, title
 from style import plt, save
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "workflow"))
@@ -72,7 +72,7 @@ def plug_flight(acceleration):
 
 def flight(axis, rows):
     for name, look in (("e = 0.9", {"marker": "o", "color": "#0072B2"}), ("e(v), e0 = 0.5", {"marker": "s", "color": "#D55E00", "mfc": "none"})):
-        shown = [row for row in of_map(rows, "grains_acceleration") if row["y"] == name and row["flight/period"]]
+        shown = [row for row in of_map(rows, "grains_acceleration") if row["y"] == name and is_known(row["flight/period"])]
         axis.plot([float(row["x"]) for row in shown], [float(row["flight/period"]) for row in shown], ls="none", label=name, **look)
     accelerations = np.geomspace(0.5, 10.0, 300)
     axis.plot(accelerations, [plug_flight(a) for a in accelerations], label="plug that sticks", **THEORY)
@@ -89,7 +89,7 @@ def packing(axis, rows):
 
 
 def pressure(axis, rows):
-    shown = [row for row in of_map(rows, "packing") if row["y"] == "gas" and row["pressure"]]
+    shown = [row for row in of_map(rows, "packing") if row["y"] == "gas" and is_known(row["pressure"])]
     axis.plot([float(row["x"]) for row in shown], [float(row["pressure"]) for row in shown], "o", color="#0072B2", ms=3.5, zorder=3)
     fluid, crystal = np.linspace(0.02, MELTS, 100), np.linspace(FREEZES, 0.7402, 400)
     axis.plot(fluid, [fluid_pressure(phi) for phi in fluid], **THEORY)

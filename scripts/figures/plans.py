@@ -15,7 +15,7 @@ NAMES = {"continuum": "continuum", "md": "MD"}
 
 
 def numbers(rows, column):
-    return np.array([float(row[column] or 0.0) for row in rows])
+    return np.array([float(row[column] or "nan") for row in rows])
 
 
 def draw_panel(axis, rows, quantity):

@@ -23,6 +23,11 @@ def read(folder):
         return list(csv.DictReader(file))
 
 
+def is_known(cell):
+    """Of a number's cell: neither nan nor empty."""
+    return cell not in ("", "nan")
+
+
 def of_map(rows, name):
     return [row for row in rows if row["map"] == name]
 

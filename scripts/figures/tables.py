@@ -32,6 +32,11 @@ def waves_of_strip(frequency, closure):
             and row["multiplier"] < 0 and row["root_mean_square"] > LEFT]
 
 
+def is_known(cell):
+    """Of a cell of rows(): neither nan nor empty."""
+    return isinstance(cell, float) and not np.isnan(cell)
+
+
 def number(cell):
     try:
         return float(cell)

@@ -103,7 +103,7 @@ def fields_of(sums, samples, volume, plate):
     with np.errstate(invalid="ignore", divide="ignore"):
         mass = sums[..., 0]
         mean = sums[..., 1:4] / mass[..., None]
-        variance = sums[..., 4:7] / mass[..., None] - mean**2
+        variance = (sums[..., 4:7] / mass[..., None] - mean**2) * np.where(mass > 1, mass / (mass - 1), np.nan)[..., None]
         return mass / (samples[:, None] * volume), mean[..., 2] - plate[:, None], variance.mean(axis=-1)
 
 

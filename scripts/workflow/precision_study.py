@@ -89,7 +89,7 @@ def differences(ours, reference):
 def row(study, engine, scheme, knob, value, quantity, error, error_of_error, cost, default, end, command):
     """cost: {cpu_seconds, cpu_low, cpu_high, work, steps}, what is unknown left out."""
     numbers = {"error_percent": error, "error_of_error": error_of_error} | {k: cost.get(k, "") for k in COLUMNS[8:13]}
-    numbers = {k: "" if v == "" or v is None or not np.isfinite(v) else f"{v:.6g}" if k not in ("work", "steps") else f"{v:.0f}" for k, v in numbers.items()}
+    numbers = {k: "nan" if v == "" or v is None or not np.isfinite(v) else f"{v:.6g}" if k not in ("work", "steps") else f"{v:.0f}" for k, v in numbers.items()}
     return {"study": study, "engine": engine, "scheme": scheme, "knob": knob, "value": f"{value:g}", "quantity": quantity, **numbers, "default": int(default),
             "end": end, "command": command}
 

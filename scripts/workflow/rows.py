@@ -134,7 +134,7 @@ def add(table, row, found, seconds):
     cells |= {name: found["waves"][0][name] for name in columns if name in found["waves"][0]}
     cells |= {"value": row.value, "seconds": round(seconds, 1), "command": row.command}
     with open(table, "a", newline="") as file:
-        csv.DictWriter(file, columns, lineterminator="\n").writerow({name: digits(cell) for name, cell in cells.items()})
+        csv.DictWriter(file, columns, restval="nan", lineterminator="\n").writerow({name: digits(cell) for name, cell in cells.items()})
     print(f"{row.command}: <psi^2> {digits(found['mean_square'])}, P_max {digits(found['order'])}", flush=True)
     if row.engine == "md":
         add_blocks(table, row, found)

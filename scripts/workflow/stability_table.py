@@ -29,8 +29,8 @@ def rows_of(points, kept):
 
 
 def written(number):
-    """Round-off differs from machine to machine."""
-    return "" if number is None else "0" if abs(number) < 1e-9 else f"{number:.3g}"
+    """Round-off differs from machine to machine. An empty cell would be read as 0."""
+    return "nan" if number is None else "0" if abs(number) < 1e-9 else f"{number:.3g}"
 
 
 def runs_of(points):

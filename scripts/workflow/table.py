@@ -40,9 +40,10 @@ def main():
         rows.append(row)
     columns = list(dict.fromkeys(key for row in rows for key in row))
     with open(out / "table.csv", "w", newline="") as file:
-        writer = csv.DictWriter(file, columns, restval="")
+        writer = csv.DictWriter(file, columns)
         writer.writeheader()
-        writer.writerows(rows)
+        words = {column for row in rows for column, value in row.items() if isinstance(value, str)}
+        writer.writerows({column: row.get(column, "" if column in words else np.nan) for column in columns} for row in rows)
     with h5py.File(out / "table.h5", "w") as file:
         for column in columns:
             values = [row.get(column, np.nan) for row in rows]

@@ -19,7 +19,7 @@ const scene::PlateMotion motion{5.0, 0.1};
 fields::PhaseMoments wavy_run(std::int64_t phases, std::int64_t cycles, std::int64_t blocks, double noise,
                               std::uint64_t seed = 1, double offset = 0.0) {
     synthetic::Normal normal(seed);
-    fields::PhaseMoments moments(phases, {0.0, 0.5, 40}, 4.0, cycles, blocks);
+    fields::PhaseMoments moments(fields::Deposits::cells, phases, {0.0, 0.5, 40}, 4.0, cycles, blocks);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) {
         for (std::int64_t phase = 0; phase < phases; ++phase) {
             const double ft = static_cast<double>(phase) / static_cast<double>(phases);
@@ -148,6 +148,9 @@ TEST_CASE("the relative difference of fields is that of its definition, and a li
     CHECK(compare::profile_rms(higher, md, compare::Field::density) == Approx(0.1).epsilon(1e-12));  // round-off
     CHECK(compare::profile_rms(higher, md, compare::Field::velocity) == Approx(0.1).epsilon(1e-12));
     CHECK(compare::profile_rms(higher, md, compare::Field::temperature) == 0.0);
+    compare::Analysis thin = higher, unseen = md;
+    thin.profiles[0].velocity[2] = unseen.profiles[0].velocity[3] = std::nan("");
+    CHECK(compare::profile_rms(thin, unseen, compare::Field::velocity) == Approx(0.1).epsilon(1e-12));
     fields::Profile lower = profile;
     for (auto* field : {&lower.density, &lower.velocity, &lower.temperature})
         std::rotate(field->begin(), field->begin() + 1, field->end());

@@ -55,7 +55,9 @@ TEST_CASE("what compare.h5 says of a run is what was measured of it") {
 
 TEST_CASE("runs on different bins are not compared") {
     const compare::Medium medium = synthetic::ideal_gas();
-    const auto one = compare::measure(fields::PhaseMoments(20, {0.0, 0.5, 80}, 1.0, 1, 1), motion, medium);
-    const auto other = compare::measure(fields::PhaseMoments(20, {0.0, 1.0, 40}, 1.0, 1, 1), motion, medium);
+    const auto one = compare::measure(fields::PhaseMoments(fields::Deposits::particles, 20, {0.0, 0.5, 80}, 1.0, 1, 1),
+                                      motion, medium);
+    const auto other = compare::measure(
+        fields::PhaseMoments(fields::Deposits::particles, 20, {0.0, 1.0, 40}, 1.0, 1, 1), motion, medium);
     CHECK_THROWS_AS(compare::write_compare_file("/nowhere/compare.h5", one, other, medium, {}), std::invalid_argument);
 }

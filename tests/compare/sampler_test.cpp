@@ -88,7 +88,7 @@ TEST_CASE("particles are binned by their height above the plate, wherever it is"
         const fields::Profile profile = sampler.moments().profile(phase, scene.motion);
         CHECK(profile.density[6] == Approx(2.0 / (25.0 * 0.5)));  // [3.0, 3.5) over 5 x 5
         CHECK(profile.velocity[6] == Approx(3.0));
-        CHECK(profile.temperature_z[6] == Approx(1.0));
+        CHECK(profile.temperature_z[6] == Approx(2.0));  // of one degree of freedom
     }
 }
 
@@ -97,7 +97,7 @@ TEST_CASE("cycles of settling and after averaging leave no trace in the sums") {
     compare::MdSampler sampler(scene);
     sampler.sample(snapshot(scene, 0, 3), 0, 3);
     sampler.sample(snapshot(scene, 5, 3), 5, 3);
-    CHECK(mass(sampler.moments().profile(3, scene.motion), 1.0) == 0.0);
+    CHECK(std::isnan(mass(sampler.moments().profile(3, scene.motion), 1.0)));
     CHECK(std::isnan(sampler.moments().mean_centre_of_mass(3).first));
 }
 

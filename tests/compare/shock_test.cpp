@@ -19,6 +19,12 @@ std::optional<compare::Shock> find(const fields::Profile& profile, const compare
 
 }  // namespace
 
+TEST_CASE("a layer in which no bin has a temperature has no shock") {
+    fields::Profile profile = synthetic::Front{}.profile({0.0, 0.5, 80});
+    for (double& t : profile.temperature) t = std::nan("");
+    CHECK_FALSE(find(profile));
+}
+
 TEST_CASE("a front is found at its steepest fall, closer than a tenth of a bin") {
     const double location = GENERATE(4.0, 5.13, 6.28, 7.4, 9.99);
     const double half_width = GENERATE(0.7, 1.2);

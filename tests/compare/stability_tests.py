@@ -37,8 +37,8 @@ def inner():
         line.sort(key=lambda row: float(row["x"]))
         for i, row in enumerate(line):
             beside = line[max(0, i - 1):i + 2]
-            cost = float(row["steps"] or 0.0), 10.0 * float(row["contacts a particle"] or 0.0)
-            if all(other["end"] == row["end"] for other in beside) and row["end"] != "slow" and max(cost) < CHEAP:
+            cost = [factor * float(row[name]) for name, factor in (("steps", 1.0), ("contacts a particle", 10.0)) if row[name] not in ("", "nan")]
+            if all(other["end"] == row["end"] for other in beside) and row["end"] != "slow" and max(cost, default=0.0) < CHEAP:
                 yield row
 
 

@@ -119,7 +119,7 @@ inline std::vector<compare::PhaseMeasures> measure(std::vector<fields::Profile> 
 /// A front that runs up through a layer at rest on the plate; blocks of cycles differ by noise of the velocity.
 inline fields::PhaseMoments run_with_front(std::int64_t blocks) {
     const scene::PlateMotion motion{5.0, 0.1};
-    fields::PhaseMoments moments(40, {0.0, 0.5, 80}, 1.0, blocks, blocks);
+    fields::PhaseMoments moments(fields::Deposits::cells, 40, {0.0, 0.5, 80}, 1.0, blocks, blocks);
     for (std::int64_t cycle = 0; cycle < blocks; ++cycle) {
         Normal normal(static_cast<std::uint64_t>(cycle) + 1);
         for (std::int64_t phase = 0; phase < 40; ++phase) {

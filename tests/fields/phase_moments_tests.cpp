@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "fields/phase_moments.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <random>
 
 #include "files/errors.hpp"
@@ -33,7 +35,7 @@ std::vector<Particle> random_particles(int count, unsigned seed) {
 
 TEST_CASE("profiles equal the naive double loop over bins and particles") {
     const Bins bins{0.0, 0.5, 20};
-    PhaseMoments moments(4, bins, 25.0, 3, 3);
+    PhaseMoments moments(Deposits::particles, 4, bins, 25.0, 3, 3);
     std::vector<Particle> all;
     for (std::int64_t cycle = 0; cycle < 3; ++cycle) {
         moments.begin_sample(cycle, 2);
@@ -51,14 +53,19 @@ TEST_CASE("profiles equal the naive double loop over bins and particles") {
             ++count;
             for (std::size_t d = 0; d < 3; ++d) mean[d] += p.velocity[d];
         }
-        for (double& m : mean) m = count > 0 ? m / count : 0.0;
+        for (double& m : mean) m /= count;
         for (const Particle& p : all) {
             if (p.height < bins.edge(b) || p.height >= bins.edge(b + 1)) continue;
             for (std::size_t d = 0; d < 3; ++d)
-                variance[d] += (p.velocity[d] - mean[d]) * (p.velocity[d] - mean[d]) / count;
+                variance[d] += (p.velocity[d] - mean[d]) * (p.velocity[d] - mean[d]) / (count - 1);
         }
         const auto i = static_cast<std::size_t>(b);
         CHECK(profile.density[i] == Approx(count / (25.0 * 0.5 * 3)).margin(roundoff));
+        if (count == 0) {
+            CHECK(std::isnan(profile.velocity[i]));
+            continue;
+        }
+        REQUIRE(count > 1);
         CHECK(profile.velocity[i] == Approx(mean[2]).margin(roundoff));
         CHECK(profile.temperature[i] == Approx((variance[0] + variance[1] + variance[2]) / 3).margin(roundoff));
         CHECK(profile.temperature_z[i] == Approx(variance[2]).margin(roundoff));
@@ -67,7 +74,7 @@ TEST_CASE("profiles equal the naive double loop over bins and particles") {
 
 TEST_CASE("slabs deposit all their mass, whatever the grids") {
     const double spacing = GENERATE(0.2, 0.37, 1.0, 3.1);
-    PhaseMoments moments(1, Bins{0.0, 0.5, 40}, 4.0, 1, 1);
+    PhaseMoments moments(Deposits::cells, 1, Bins{0.0, 0.5, 40}, 4.0, 1, 1);
     moments.begin_sample(0, 0);
     double deposited = 0.0;
     for (double z = 0.0; z + spacing <= 20.0; z += spacing) {
@@ -82,7 +89,7 @@ TEST_CASE("slabs deposit all their mass, whatever the grids") {
 }
 
 TEST_CASE("a uniform slab gives its own density, velocity and temperature") {
-    PhaseMoments moments(1, Bins{0.0, 0.5, 10}, 9.0, 1, 1);
+    PhaseMoments moments(Deposits::cells, 1, Bins{0.0, 0.5, 10}, 9.0, 1, 1);
     moments.begin_sample(0, 0);
     for (double z = 0.0; z < 4.95; z += 0.1) moments.add_slab(z, z + 0.1, 0.8, {0.1, 0.2, -4.0}, 2.5);
     const Profile p = moments.profile(0, motion);
@@ -96,7 +103,8 @@ TEST_CASE("a uniform slab gives its own density, velocity and temperature") {
 TEST_CASE("a velocity gradient inside a bin adds its spread to T_z alike for slabs and particles") {
     // u = s z over a bin of width w: the spread is (s w)^2/12; 200 sublayers leave a relative truncation of 1/200^2.
     const double slope = 3.0, width = 2.0;
-    PhaseMoments cells(1, Bins{0.0, width, 1}, 1.0, 1, 1), grains(1, Bins{0.0, width, 1}, 1.0, 1, 1);
+    PhaseMoments cells(Deposits::cells, 1, Bins{0.0, width, 1}, 1.0, 1, 1),
+        grains(Deposits::particles, 1, Bins{0.0, width, 1}, 1.0, 1, 1);
     cells.begin_sample(0, 0);
     grains.begin_sample(0, 0);
     for (int i = 0; i < 200; ++i) {
@@ -106,11 +114,57 @@ TEST_CASE("a velocity gradient inside a bin adds its spread to T_z alike for sla
     }
     const double spread = slope * width * slope * width / 12;
     CHECK(cells.profile(0, motion).temperature_z[0] == Approx(spread).epsilon(1e-4));
-    CHECK(grains.profile(0, motion).temperature_z[0] == Approx(spread).epsilon(1e-4));
+    CHECK(grains.profile(0, motion).temperature_z[0] == Approx(spread * 200 / 199).epsilon(1e-4));
+}
+
+TEST_CASE("T of particles is the true one in bins that few of them visit") {
+    // A uniform deviate of width 1 has the variance 1/12, and its fourth moment gives that of T from M of them:
+    // (1/80 - (M - 3)/(M - 1)/144)/M a component. Bins of one particle say nothing.
+    const int visitors = GENERATE(1, 2, 3, 10);
+    constexpr std::int64_t bins = 4000;
+    PhaseMoments moments(Deposits::particles, 1, Bins{0.0, 1.0, bins}, 1.0, 1, 1);
+    moments.begin_sample(0, 0);
+    std::mt19937_64 engine(7);
+    const auto uniform = [&] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
+    for (std::int64_t b = 0; b < bins; ++b)
+        for (int i = 0; i < visitors; ++i)
+            moments.add_particle(static_cast<double>(b) + 0.5, {uniform(), uniform(), 5.0 + uniform()});
+    const Profile p = moments.profile(0, motion);
+    double mean = 0.0, mean_z = 0.0;
+    for (std::size_t b = 0; b < bins; ++b) {
+        mean += p.temperature[b] / bins;
+        mean_z += p.temperature_z[b] / bins;
+    }
+    INFO(visitors << " particles a bin");
+    if (visitors == 1) {
+        CHECK(std::all_of(p.temperature.begin(), p.temperature.end(), [](double t) { return std::isnan(t); }));
+        CHECK(p.velocity[0] > 5.0);
+        return;
+    }
+    const double m = visitors, of_one = std::sqrt((1.0 / 80 - (m - 3) / (m - 1) / 144) / m);
+    CHECK(std::abs(mean_z - 1.0 / 12) < 4.0 * of_one / std::sqrt(bins));  // statistics: four standard errors
+    CHECK(std::abs(mean - 1.0 / 12) < 4.0 * of_one / std::sqrt(3.0 * bins));
+}
+
+TEST_CASE("what is not known is not a number: empty bins, and phases that were never sampled") {
+    PhaseMoments moments(Deposits::particles, 2, Bins{0.0, 1.0, 2}, 1.0, 1, 1);
+    moments.begin_sample(0, 1);
+    moments.add_particle(0.5, {0.0, 0.0, 1.0});
+    moments.add_particle(0.5, {0.0, 0.0, 1.0});
+    const Profile sampled = moments.profile(1, motion), never = moments.profile(0, motion);
+    CHECK(sampled.temperature[0] == 0.0);  // two of one velocity
+    CHECK(sampled.density[1] == 0.0);      // that nothing was there is known
+    CHECK(std::isnan(sampled.velocity[1]));
+    CHECK(std::isnan(sampled.temperature[1]));
+    CHECK(std::isnan(sampled.temperature_x[1]));
+    CHECK(std::isnan(never.density[0]));
+    CHECK(std::isnan(moments.profile(1, motion, 0).temperature[0]));
+    CHECK(std::isnan(moments.mean_centre_of_mass(1).second));
 }
 
 TEST_CASE("leaving out a block equals never having sampled it") {
-    PhaseMoments all(1, Bins{0.0, 1.0, 10}, 25.0, 4, 2), half(1, Bins{0.0, 1.0, 10}, 25.0, 4, 2);
+    PhaseMoments all(Deposits::particles, 1, Bins{0.0, 1.0, 9}, 25.0, 4, 2),
+        half(Deposits::particles, 1, Bins{0.0, 1.0, 9}, 25.0, 4, 2);
     for (std::int64_t cycle = 0; cycle < 4; ++cycle) {
         all.begin_sample(cycle, 0);
         all.set_centre_of_mass(static_cast<double>(cycle));
@@ -135,7 +189,7 @@ TEST_CASE("sums go on from a checkpoint and from a file as if never put down") {
         for (const Particle& p : random_particles(50, static_cast<unsigned>(cycle)))
             m.add_particle(p.height, p.velocity);
     };
-    PhaseMoments straight(2, Bins{0.0, 1.0, 10}, 25.0, 2, 2), first = straight, second = straight;
+    PhaseMoments straight(Deposits::particles, 2, Bins{0.0, 1.0, 9}, 25.0, 2, 2), first = straight, second = straight;
     fill(straight, 0);
     fill(straight, 1);
     fill(first, 0);
@@ -152,12 +206,13 @@ TEST_CASE("sums go on from a checkpoint and from a file as if never put down") {
     }
     const PhaseMoments read = PhaseMoments::read(files::Hdf5File(folder / "a.h5", files::Open::read), "/profiles");
     CHECK(read.profile(1, motion).density == straight.profile(1, motion).density);
+    CHECK(read.profile(1, motion).temperature == straight.profile(1, motion).temperature);
     CHECK(read.mean_centre_of_mass(1) == straight.mean_centre_of_mass(1));
 }
 
 TEST_CASE("a file that holds what is not a number is refused") {
     const support::TemporaryFolder folder;
-    PhaseMoments moments(1, Bins{0.0, 1.0, 10}, 25.0, 1, 1);
+    PhaseMoments moments(Deposits::particles, 1, Bins{0.0, 1.0, 10}, 25.0, 1, 1);
     moments.begin_sample(0, 0);
     moments.add_particle(1.5, {0.0, std::nan(""), 0.0});
     {
@@ -169,16 +224,17 @@ TEST_CASE("a file that holds what is not a number is refused") {
 }
 
 TEST_CASE("impossible averages are refused") {
-    CHECK_THROWS_AS(PhaseMoments(0, Bins{0, 1, 1}, 1.0, 1, 1), std::invalid_argument);
-    CHECK_THROWS_AS(PhaseMoments(1, Bins{0, 1, 1}, 1.0, 1, 2), std::invalid_argument);
-    PhaseMoments moments(2, Bins{0, 1, 1}, 1.0, 1, 1);
+    CHECK_THROWS_AS(PhaseMoments(Deposits::particles, 0, Bins{0, 1, 1}, 1.0, 1, 1), std::invalid_argument);
+    CHECK_THROWS_AS(PhaseMoments(Deposits::particles, 1, Bins{0, 1, 1}, 1.0, 1, 2), std::invalid_argument);
+    PhaseMoments moments(Deposits::particles, 2, Bins{0, 1, 1}, 1.0, 1, 1);
     CHECK_THROWS_AS(moments.begin_sample(1, 0), std::out_of_range);
     CHECK_THROWS_AS(moments.begin_sample(0, 2), std::out_of_range);
 }
 
 TEST_CASE("averaging over two runs is averaging over all their cycles, with the errors of all their blocks") {
-    const Bins bins{0.0, 0.5, 20};
-    PhaseMoments one(2, bins, 25.0, 4, 2), other(2, bins, 25.0, 2, 1), all(2, bins, 25.0, 6, 3);
+    const Bins bins{0.0, 0.5, 18};
+    PhaseMoments one(Deposits::particles, 2, bins, 25.0, 4, 2), other(Deposits::particles, 2, bins, 25.0, 2, 1),
+        all(Deposits::particles, 2, bins, 25.0, 6, 3);
     for (std::int64_t cycle = 0; cycle < 6; ++cycle) {
         PhaseMoments& own = cycle < 4 ? one : other;
         own.begin_sample(cycle % 4, 1);
@@ -199,13 +255,13 @@ TEST_CASE("averaging over two runs is averaging over all their cycles, with the 
         CHECK(one.profile(1, motion, left_out).density == all.profile(1, motion, left_out).density);
         CHECK(one.profile(1, motion, left_out).temperature == all.profile(1, motion, left_out).temperature);
     }
-    CHECK_THROWS_AS(one.append(PhaseMoments(4, bins, 25.0, 2, 1)), std::invalid_argument);
-    CHECK_THROWS_AS(one.append(PhaseMoments(2, bins, 25.0, 3, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(one.append(PhaseMoments(Deposits::particles, 4, bins, 25.0, 2, 1)), std::invalid_argument);
+    CHECK_THROWS_AS(one.append(PhaseMoments(Deposits::particles, 2, bins, 25.0, 3, 1)), std::invalid_argument);
 }
 
 TEST_CASE("the first cycle of a run that began in its middle has every phase once, the earliest") {
     const Bins bins{0.0, 0.5, 20};
-    PhaseMoments moments(4, bins, 25.0, 2, 2);
+    PhaseMoments moments(Deposits::particles, 4, bins, 25.0, 2, 2);
     const auto sample = [&](std::int64_t cycle, std::int64_t phase) {
         moments.begin_sample(cycle, phase);
         moments.add_particle(1.0, {0.0, 0.0, static_cast<double>(10 * cycle + phase)});
@@ -218,5 +274,5 @@ TEST_CASE("the first cycle of a run that began in its middle has every phase onc
     CHECK(first.centre_of_mass() == expected);
     for (std::int64_t phase = 0; phase < 4; ++phase)
         CHECK(first.profile(phase, motion).velocity[2] == expected[static_cast<std::size_t>(phase)]);
-    CHECK_THROWS_AS(PhaseMoments(4, bins, 25.0, 20, 10).first_cycle(), std::invalid_argument);
+    CHECK_THROWS_AS(PhaseMoments(Deposits::particles, 4, bins, 25.0, 20, 10).first_cycle(), std::invalid_argument);
 }
