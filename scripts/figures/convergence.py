@@ -4,17 +4,16 @@ import numpy as np
 
 import tables
 
-SPACING, DX = "continuum.spacing", "continuum.spacing_horizontal"
-# What else was varied, on columns BASE wide: key, the scene's value, others.
-BASE = 1.0
-OTHERS = ((SPACING, 0.2, (0.1,)), ("continuum.cfl", 0.8, (0.4,)), ("continuum.lid", 25.0, (50.0, 100.0)))
+DX = "continuum.spacing_horizontal"
+# What else was varied, on columns 1 wide.
+OTHERS = ("continuum.spacing", "continuum.cfl", "continuum.lid")
 
 
 def read():
     """{(Gamma, dx, key, value): growth}; key and value empty where only the columns differ."""
     found = {}
     for row in tables.rows("ch5_converged.csv"):
-        varied = [(key, float(tables.setting(row, key))) for key, *_ in OTHERS if tables.setting(row, key)]
+        varied = [(key, float(tables.setting(row, key))) for key in OTHERS if tables.setting(row, key)]
         key, value = varied[0] if varied else ("", "")
         found[row["value"], float(tables.setting(row, DX)), key, value] = tables.factor(row)
     return found
@@ -26,12 +25,16 @@ def ladder(growths, gamma):
     return widths, [growths[gamma, dx, "", ""] for dx in widths]
 
 
+def largest(growths, key, gamma=None):
+    """The largest change that a key makes on one width of columns, at one Gamma or at all; 0 where it was not varied."""
+    return max((abs(growth - growths[at, dx, "", ""]) for (at, dx, varied, _), growth in growths.items() if varied == key and gamma in (None, at)), default=0.0)
+
+
 def limit(growths, gamma):
-    """Growth on the finest columns and its error: the last difference between columns, and the largest that each of the others makes."""
+    """Growth on the finest columns and its error: the last difference between columns, and the largest that each of the others makes, those that
+    were not varied at this Gamma by what they make at another."""
     _, on = ladder(growths, gamma)
-    base = growths[gamma, BASE, "", ""]
-    changes = [max((abs(growths[gamma, BASE, key, value] - base) for value in values if (gamma, BASE, key, value) in growths), default=np.nan)
-               for key, _, values in OTHERS]
+    changes = [largest(growths, key, gamma) or largest(growths, key) for key in OTHERS]
     return on[-1], abs(on[-1] - on[-2]) + sum(changes)
 
 

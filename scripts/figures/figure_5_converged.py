@@ -9,8 +9,8 @@ from style import plt, save
 NAME = "figure_5_converged"
 CAPTION = (
     "Growth from cycle to cycle of a wave of 21 diameters and one per cent of the density in the continuum (default closure, e(v) with e0 = 0.7 in the sink, dz = 0.2, upper end at 25, cycles 8 to 15), against "
-    "the width of the columns; above 1 the flat layer gives way to stripes. Crosses, on columns 1 wide: rows half as high, steps half as long, the end at 50 and at 100 (where one is seen, they lie on each other). "
-    "At the left, bars: the value on the finest columns with its error, the last difference between columns and what the others change together."
+    "the width of the columns; above 1 the flat layer gives way to stripes. Crosses, on columns 1 wide: rows half as high, steps half as long, the end at 50 and at 100. "
+    "At the left, squares with bars: the value on the finest columns with its error, the last difference between columns and what each of the others changes, added up."
 )
 
 
@@ -41,6 +41,7 @@ def draw(study):
     keep(gamma, 0, "onset", "", 1, error)
     axis.axhline(1.0, color="0.5", lw=0.8)
     axis.set_xscale("log", base=2)
+    axis.set_xticks(widths, [f"{width:g}" for width in widths])
     axis.set_xlabel(r"width of the columns $dx/\sigma$")
     axis.set_ylabel("growth of the wave a cycle")
     axis.set_title(rf"neither grows nor fades at $\Gamma$ = {gamma:.2f} $\pm$ {error:.2f}", fontsize=9)

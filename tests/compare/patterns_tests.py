@@ -20,7 +20,9 @@ SHAKEN, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
 sys.path[:0] = [str(SOURCE / "scripts/figures"), str(SOURCE / "scripts/workflow")]
 os.environ["SHAKEN"] = SHAKEN
 
+import convergence
 import figure_5_2
+import figure_5_growth
 import figure_6_tables
 import horizontal_momentum
 import model_scatter
@@ -113,6 +115,22 @@ class Stripes(unittest.TestCase):
 
 
 class Rows(unittest.TestCase):
+    def test_growth_converges_over_the_columns_and_the_map_is_its_coarsest_grid(self):
+        growths = convergence.read()
+        for gamma in (2.2, 3.0, 3.2, 3.4):
+            widths, on = convergence.ladder(growths, gamma)
+            self.assertEqual(widths, [2.0, 1.0, 0.5, 0.25])
+            steps = np.abs(np.diff(on))
+            self.assertLess(steps[-1], steps[0])   # truncation: half the columns, less of a change
+            self.assertLess(steps[-1], 0.01)
+        of_map = {row["value"]: tables.factor(row) for row in tables.growth_rows() if figure_5_growth.family(row) == ("jenkins_richman", "goldshtein", "muscl", "0.1", "e(v)", 2.0)}
+        for gamma in (2.2, 3.0, 3.4):
+            self.assertAlmostEqual(of_map[gamma], growths[gamma, 2.0, "", ""], delta=1e-6)   # the rows' digits
+        gamma, error = convergence.onset(growths)
+        self.assertGreater(gamma, 3.2)
+        self.assertLess(gamma, 3.4)
+        self.assertLess(error, 0.4)
+
     def test_wavelengths_of_md_lie_on_the_fit_to_experiments(self):
         fit = tables.references(5)["dispersion"]
         found = {row["value"]: row for row in tables.rows("ch5_dispersion_md.csv")}
@@ -220,7 +238,7 @@ class Figures(unittest.TestCase):
         fit = shaken("fit-noise", EXPECTED / "ch6_onset_md.csv", "--model", EXPECTED / "ch6_swift_hohenberg.csv")
         (OUT / "fit.json").write_text(fit)
         (OUT / "scatter.csv").write_text((EXPECTED / "ch6_fit_scatter.csv").read_text())
-        for name in ("figure_5_2", "figure_5_growth", "figure_6_2", "figure_6_3", "figure_6_4", "figure_6_5", "figure_6_scatter", "figure_6_fluctuations"):
+        for name in ("figure_5_2", "figure_5_growth", "figure_5_converged", "figure_6_2", "figure_6_3", "figure_6_4", "figure_6_5", "figure_6_scatter", "figure_6_fluctuations"):
             self.assertTrue(self.draw(name), name)
 
     def test_figures_of_small_runs(self):
