@@ -20,7 +20,8 @@ namespace shaken::continuum {
     const double inside = larger(s.temperature[2][f], s.temperature[3][f]);
     const double half = 0.5 * (s.normal[0][f] - s.normal[5][f]);
     const double closing = half * std::abs(half);
-    return (closing > smaller(below, above)) & (closing < larger(larger(below, above), inside));
+    const int is_strong = closing > smaller(below, above), is_before = closing < larger(larger(below, above), inside);
+    return (is_strong & is_before) != 0;
 }
 
 }  // namespace shaken::continuum

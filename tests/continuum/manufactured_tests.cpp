@@ -54,8 +54,8 @@ class Balance {
         const double work = flux[0] * along_x(value(1), x, z) + flux[2] * along_z(value(2), x, z) +
                             flux[1] * (along_z(value(1), x, z) + along_x(value(2), x, z));
         const double heat = along_x(fluxes(3), x, z) + along_z(fluxes(4), x, z);
-        const auto carried = [&, u = u, w = w](std::size_t i) {
-            return u * along_x(value(i), x, z) + w * along_z(value(i), x, z);
+        const auto carried = [&, ux = u, uz = w](std::size_t i) {
+            return ux * along_x(value(i), x, z) + uz * along_z(value(i), x, z);
         };
         const double e = physics_.restitution;
         return {-carried(0) - n * div, -carried(1) + force_x / n, -carried(2) + force_z / n - physics_.gravity,
@@ -99,8 +99,8 @@ class Balance {
 
     std::array<double, 5> diffusive_flux(double x, double z) const {
         const auto [n, u, w, t] = field_(x, z);
-        const Transport c = with_closure([&, n = n, t = t](auto closure, auto pair) {
-            return decltype(closure)::template transport<decltype(pair)>(n, t, physics_.restitution);
+        const Transport c = with_closure([&, density = n, temperature = t](auto closure, auto pair) {
+            return decltype(closure)::template transport<decltype(pair)>(density, temperature, physics_.restitution);
         });
         const auto slope_x = [&](std::size_t i) {
             return along_x([&](double a, double b) { return field_(a, b)[i]; }, x, z);
