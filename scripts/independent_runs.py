@@ -5,6 +5,7 @@ Grains that collide are chaotic, so that two runs meet in the bits of z_cm only 
 """
 import itertools
 import pathlib
+import sys
 import tomllib
 
 import h5py
@@ -45,3 +46,14 @@ def why_dependent(folders):
         if common := in_common(one, other):
             return f"{one.path} and {other.path} are not independent: {common}; an average is over runs of other seeds, or from other states"
     return ""
+
+
+def exit_code_of(command, folders):
+    """0 where they are independent; else 65, or 66 where an md.h5 is not there, and the reason goes to stderr."""
+    try:
+        dependent, code = why_dependent(folders), 65
+    except FileNotFoundError as error:
+        dependent, code = str(error), 66
+    if dependent:
+        print(f"{command}: {dependent}", file=sys.stderr)
+    return code if dependent else 0

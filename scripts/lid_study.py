@@ -53,14 +53,8 @@ def main():
     parser.add_argument("runs", nargs="+", type=pathlib.Path, metavar="MD_RUN_FOLDER")
     parser.add_argument("--shaken", default="build/release/shaken")
     options = parser.parse_args()
-    try:
-        dependent = independent_runs.why_dependent(options.runs)
-    except FileNotFoundError as error:
-        print(f"lid_study: {error}", file=sys.stderr)
-        return 66
-    if dependent:
-        print(f"lid_study: {dependent}", file=sys.stderr)
-        return 65
+    if code := independent_runs.exit_code_of("lid_study", options.runs):
+        return code
     grains = np.mean([of_grains(run) for run in options.runs], axis=0)
     highest = None
     print("end          height   force %   z_cm %   half a diameter up   against the highest")

@@ -52,14 +52,8 @@ def main():
         print(__doc__, file=sys.stderr)
         return 2
     summaries = [json.loads((pathlib.Path(folder) / "summary.json").read_text()) for folder in sys.argv[1:]]
-    try:
-        dependent = independent_runs.why_dependent([run for summary in summaries for run in summary["runs"]["md"]])
-    except FileNotFoundError as error:
-        print(f"mean_of_runs: {error}", file=sys.stderr)
-        return 66
-    if dependent:
-        print(f"mean_of_runs: {dependent}", file=sys.stderr)
-        return 65
+    if code := independent_runs.exit_code_of("mean_of_runs", [run for summary in summaries for run in summary["runs"]["md"]]):
+        return code
     print(f"{len(summaries)} runs")
     for key in NUMBERS:
         values = [value for value in (find(summary, key) for summary in summaries) if value is not None]

@@ -2,6 +2,8 @@
 """Growth of the wave of 21 against the width of the columns: what of the continuum's onset is the grid's."""
 import sys
 
+import numpy as np
+
 import convergence
 import run_folder
 from style import plt, save
@@ -33,12 +35,12 @@ def draw(study):
         value, error = convergence.limit(growths, gamma)
         axis.errorbar(widths[-1] / 1.25, value, yerr=error, marker="s", ms=3, color=colour, capsize=3)
         for dx, growth in zip(widths, on):
-            keep(gamma, dx, "", "", growth, "")
+            keep(gamma, dx, "", np.nan, growth, np.nan)
         for dx, key, varied, growth in others:
-            keep(gamma, dx, key, varied, growth, "")
-        keep(gamma, 0, "limit", "", value, error)
+            keep(gamma, dx, key, varied, growth, np.nan)
+        keep(gamma, 0, "limit", np.nan, value, error)
     gamma, error = convergence.onset(growths)
-    keep(gamma, 0, "onset", "", 1, error)
+    keep(gamma, 0, "onset", np.nan, 1, error)
     axis.axhline(1.0, color="0.5", lw=0.8)
     axis.set_xscale("log", base=2)
     axis.set_xticks(widths, [f"{width:g}" for width in widths])

@@ -123,6 +123,11 @@ class Rows(unittest.TestCase):
             steps = np.abs(np.diff(on))
             self.assertLess(steps[-1], steps[0])   # truncation: half the columns, less of a change
             self.assertLess(steps[-1], 0.01)
+            value, error = convergence.limit(growths, gamma)
+            self.assertEqual(value, on[-1])
+            # All four add up; rows and steps were varied at each of these.
+            rows, shorter = (abs(growths[gamma, 1.0, key, varied] - on[1]) for key, varied in (("continuum.spacing", 0.1), ("continuum.cfl", 0.4)))
+            self.assertGreaterEqual(error, steps[-1] + rows + shorter - 1e-12)   # round-off
         of_map = {row["value"]: tables.factor(row) for row in tables.growth_rows() if figure_5_growth.family(row) == ("jenkins_richman", "goldshtein", "muscl", "0.1", "e(v)", 2.0)}
         for gamma in (2.2, 3.0, 3.4):
             self.assertAlmostEqual(of_map[gamma], growths[gamma, 2.0, "", ""], delta=1e-6)   # the rows' digits
