@@ -73,10 +73,10 @@ bool ContinuumRun::advance_and_sample(const AskedToStop&) {
 }
 
 compare::Validity ContinuumRun::validity_now() const {
-    std::vector<continuum::ColumnView> columns;
+    std::vector<continuum::ColumnView> views;
     for (std::int64_t iy = 0; iy < solver_.cells_y(); ++iy)
-        for (std::int64_t ix = 0; ix < solver_.cells_x(); ++ix) columns.push_back(solver_.column(ix, iy));
-    return compare::validity_of(columns, solver_.spacing_z(), gas_, 2.0 * std::numbers::pi * scene_.motion.frequency);
+        for (std::int64_t ix = 0; ix < solver_.cells_x(); ++ix) views.push_back(solver_.column(ix, iy));
+    return compare::validity_of(views, solver_.spacing_z(), gas_, 2.0 * std::numbers::pi * scene_.motion.frequency);
 }
 
 compare::ValidityOfRun ContinuumRun::validity() const {

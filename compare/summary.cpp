@@ -195,8 +195,8 @@ nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, 
     for (const auto& [name, field] : {std::pair{"density", Field::density}, std::pair{"velocity", Field::velocity},
                                       std::pair{"temperature", Field::temperature}}) {
         for (const auto& [suffix, lift] : {std::pair{"", 0.0}, std::pair{"_half_diameter", half_diameter}}) {
-            const auto rms = [field = field, lift = lift](const Analysis& c, const Analysis& m) {
-                return profile_rms(c, m, field, lift);
+            const auto rms = [of = field, up = lift](const Analysis& c, const Analysis& m) {
+                return profile_rms(c, m, of, up);
             };
             put(out, std::string(name) + "_rms" + suffix, of_both(md, continuum.all, rms), true);
         }

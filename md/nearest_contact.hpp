@@ -12,7 +12,9 @@
 #if defined(__AVX2__)
 #pragma GCC diagnostic push  // GCC 12 warns of variables that its own header leaves unset on purpose
 #pragma GCC diagnostic ignored "-Wuninitialized"
+#ifndef __clang__  // which does not know the name
 #pragma GCC diagnostic ignored "-Wmaybe-uninitialized"
+#endif
 #include <immintrin.h>
 #pragma GCC diagnostic pop
 #endif

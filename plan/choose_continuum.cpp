@@ -21,7 +21,6 @@ constexpr int most_levels = 8;
 constexpr double least_cells = 16;  // the solver's own limit
 constexpr double settled_for_trial = 0.005;
 constexpr double base_lid_error = 0.01;  // of the lid that all grids are tried under; errors of grid and lid are apart
-constexpr std::size_t record = 48;       // cycles of the column that settling is read from
 constexpr std::size_t whole_runs = 8;  // lengths of trials are multiples of this many cycles, so that they serve again
 constexpr std::array lids{20.0, 25.0, 32.0, 40.0, 50.0, 60.0, 80.0, 100.0, 125.0, 160.0, 200.0, 250.0, 320.0, 400.0};
 constexpr double bytes_a_cell_of_column = 188, bytes_a_cell = 220;  // bench/continuum.md
