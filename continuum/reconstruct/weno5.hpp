@@ -5,8 +5,8 @@
 //                        face
 // Cell values are averages of what is conserved, so mass, momentum and energy are reconstructed and turned into
 // velocity and temperature at the face: fifth order in one dimension, second order where two or three mix (one value a
-// face). A face where that leaves a density or temperature far from the cell's own, as beside a vacuum, and one in a
-// strong shock (shock.hpp) take MUSCL's values.
+// face). A face where that leaves a density or temperature far from the cell's own, as on either side of the edge of a
+// vacuum, and one in a strong shock (shock.hpp) take MUSCL's values.
 #pragma once
 
 #include <cmath>
@@ -79,7 +79,8 @@ struct Weno5 {
         const double per_density = 1.0 / (dense_enough ? density : cell_density);
         const double u = momentum * per_density, u1 = momentum_1 * per_density, u2 = momentum_2 * per_density;
         const double temperature = (2.0 / 3.0) * (energy * per_density - 0.5 * (u * u + (u1 * u1 + u2 * u2)));
-        const bool trusted = dense_enough & (density < 0.5 * (packing_density + cell_density)) &
+        const bool trusted = dense_enough & (density < 2.0 * cell_density) &
+                             (density < 0.5 * (packing_density + cell_density)) &
                              (temperature > 0.3 * cell_temperature) & (temperature < 3.0 * cell_temperature) &
                              !(flattens && in_strong_shock(s, f));
         return {trusted ? density : limited.density, trusted ? u : limited.normal, trusted ? u1 : limited.tangent_1,
