@@ -28,9 +28,7 @@ def draw(rows, folder, signature):
     axes[1].set_xlabel("CPU seconds, settling included")
     handles = [plt.Line2D([], [], color=colour, marker=marker, ls=line, label=words) for marker, line, colour, words in figure_statistics.KNOBS.values()]
     axes[1].legend(handles=handles, fontsize=7, loc="upper right")
-    handles = [plt.Line2D([], [], marker=marker, mfc=fill, mec=edge, ls="none", label=f"lid {lid:g}, floor {'half a diameter up' if suffix else 'at the plate'}")
-               for (lid, suffix), (marker, fill, edge) in figure_model.LOOKS.items()]
-    axes[2].legend(handles=handles, fontsize=7, loc="upper left")
+    axes[2].legend(handles=figure_model.handles(rows), fontsize=7, loc="upper left")
     sign(figure, signature)
     with plt.rc_context({"savefig.dpi": DOTS_PER_INCH}):
         return save(figure, folder, NAME, columns_of([r for r in rows if r["quantity"].startswith("z_cm") and r["study"] in ("ch4_shock", "md", "model")]))

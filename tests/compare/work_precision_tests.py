@@ -13,10 +13,15 @@ import tomllib
 import unittest
 
 import h5py
+import matplotlib
 import numpy as np
 
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+
 SHAKEN, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path.insert(0, str(SOURCE / "scripts" / "workflow"))
+sys.path[:0] = [str(SOURCE / "scripts" / folder) for folder in ("workflow", "figures")]
+import figure_model  # noqa: E402
 import precision_continuum  # noqa: E402
 import precision_points as table  # noqa: E402
 from precision_study import Study, read_rows, rms  # noqa: E402
@@ -46,7 +51,6 @@ def order(errors, spacings):
 
 
 class WorkPrecision(unittest.TestCase):
-    @unittest.skip("its rows are of slopes left whole in strong shocks: scripts/reproduce all --changed makes them again")
     def test_the_exact_riemann_problem_gives_the_recorded_errors_at_the_order_of_its_jumps(self):
         spacings = (0.1, 0.05, 0.025)
         for scheme in ("muscl", "weno5"):
@@ -60,7 +64,6 @@ class WorkPrecision(unittest.TestCase):
             # A shock is of first order in the mean, a contact of p/(p+1): 2/3 to 5/6; a spread of 0.1 from where cells lie to the jumps.
             self.assertTrue(2 / 3 - 0.1 < order(errors, spacings) < 1.1, (scheme, errors))
 
-    @unittest.skip("its rows are of steps half as long: scripts/reproduce all --changed makes them again")
     def test_a_wave_of_sound_loses_as_little_as_recorded_with_the_order_of_the_scheme(self):
         spacings = (20.0, 10.0)
         for scheme, least in (("muscl", 1.9), ("weno5", 2.9)):  # weno5: third order in time, its steps following the spacing
@@ -72,7 +75,6 @@ class WorkPrecision(unittest.TestCase):
                 self.assertAlmostEqual(errors[-1] / recorded("wave", scheme, "dz", dz, "wave"), 1, delta=0.01)  # round-off
             self.assertGreater(order(errors, spacings), least, (scheme, errors))
 
-    @unittest.skip("its rows are of a lid and of steps half as long: scripts/reproduce all --changed makes them again")
     def test_grids_of_the_layer_lie_as_far_apart_as_their_recorded_errors_allow(self):
         heights = {}
         for scheme, dz in (("muscl", 1.6), ("muscl", 0.8), ("muscl", 0.2), ("weno5", 0.4)):
@@ -109,12 +111,21 @@ class WorkPrecision(unittest.TestCase):
                 allowed = (math.log(1.5) + 3 * spread) / math.log(ends[1] / ends[0])
                 self.assertAlmostEqual(order(errors, ends), slope, delta=min(allowed, 0.4), msg=f"{quantity} over {knob}")
 
-    @unittest.skip("its rows are of a lid at 80: scripts/reproduce all --changed makes them again")
     def test_the_default_grid_is_far_below_the_error_of_the_model(self):
         model = recorded("model", "jenkins_richman/goldshtein", "lid", table.LIDS[0], "z_cm")
         self.assertLess(recorded("ch4_shock", "muscl", "dz", 0.2, "z_cm"), model / 20)
         longest = max(r["value"] for r in ROWS if (r["study"], r["knob"]) == ("md", "cycles"))
         self.assertLess(recorded("md", "events", "cycles", longest, "z_cm"), model / 5)
+
+    def test_the_chart_of_the_model_draws_every_row_and_names_the_ends_that_it_draws(self):
+        rows = [r for r in ROWS if r["study"] == "model"]
+        figure, axis = plt.subplots()
+        figure_model.panel(axis, ROWS, "z_cm")
+        drawn = sorted(y for line in axis.get_lines() if line.get_marker() in ("o", "s") and line.get_markersize() == 6 for y in line.get_ydata())
+        plt.close(figure)
+        self.assertEqual(drawn, sorted(r["error_percent"] for r in rows if r["quantity"] in ("z_cm", "z_cm_half_diameter")))
+        words = [handle.get_label() for handle in figure_model.handles(ROWS)]
+        self.assertEqual(words, [f"end at {end:g}, floor {floor}" for end in table.LIDS for floor in ("at the plate", "half a diameter up")])
 
 
 if __name__ == "__main__":
