@@ -28,7 +28,7 @@ std::string extremes(const Method& method) {
             const auto take = [&](Extreme& most, double value) {
                 if (!std::isnan(most.value) && !(value <= most.value)) most = {value, column, iz};
             };
-            take(fastest, std::abs(flow.velocity_z[i]));
+            take(fastest, std::hypot(flow.velocity_x[i], flow.velocity_y[i], flow.velocity_z[i]));
             take(hottest, flow.temperature[i]);
             take(densest, sphere_volume * flow.density[i]);
         }

@@ -180,8 +180,8 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
         const double least = 1.5 * floor * new_density;
         const double kept = larger(least, chosen);
 
-        const bool admissible =
-            (new_density > 0.0) & (new_density < packing) & (std::abs(v_z) < 1e100) & (kept < 1e100);
+        const bool admissible = (new_density > 0.0) & (new_density < packing) & (std::abs(v_x) < 1e100) &
+                                (std::abs(v_y) < 1e100) & (std::abs(v_z) < 1e100) & (kept < 1e100);
         corrected[i] = chosen - left;
         floored[i] = kept - chosen;
         unsound += admissible ? 0.0 : 1.0;
