@@ -197,6 +197,12 @@ class Momentum(unittest.TestCase):
         self.assertAlmostEqual(horizontal_momentum.turned_below(wavelengths, np.log(wavelengths / 60.0)), 60.0, delta=1e-9)  # round-off
         self.assertTrue(np.isnan(horizontal_momentum.turned_below(wavelengths, np.ones(16))))
 
+    def test_what_lasts_and_what_alternates_do_not_mix_whatever_the_number_of_cycles(self):
+        for cycles in range(3, 9):
+            sizes = np.repeat(1.0 + 0.5 * (-1.0) ** np.arange(cycles), 4)[:, None]   # four states a cycle
+            for left in (horizontal_momentum.factor_a_cycle(horizontal_momentum.pairs(sizes[::4, 0])), horizontal_momentum.survival(sizes, 4, 1)[4]):
+                self.assertAlmostEqual(left, 0.75 / 1.25, delta=1e-12, msg=cycles)  # round-off
+
     def test_the_error_of_a_mean_by_leaving_blocks_out_is_its_standard_error(self):
         values = np.random.default_rng(2).normal(size=100)
         mean, error = horizontal_momentum.without_blocks(values, 100, np.mean)
