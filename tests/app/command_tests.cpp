@@ -40,6 +40,9 @@ TEST_CASE("the resolved scene is a scene, and the keys are listed with units and
     const std::string first = (folder / "a.toml").string();
     CHECK(shaken(std::string("scene ") + small_scene + " > " + first).code == 0);
     CHECK(shaken("scene " + first).text == support::content_of(first));
+    for (const char* given : {"frequency = 0.15", "number = 200", "ceiling = 60.0", "phases = 100", "settle = 2",
+                              "average = 4", "map_bin = 2.0", "lid = 40.0"})
+        CHECK_THAT(support::content_of(first), Contains(std::string("\n") + given + "\n"));
     CHECK_THAT(shaken("scene --keys").text,
                Contains("acceleration") && Contains("in sqrt(g/sigma)") && Contains("closure: jenkins_richman"));
 }
