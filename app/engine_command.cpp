@@ -73,8 +73,8 @@ int finish(Run& run, const scene::Scene& scene, const EngineFiles& files, const 
     loop.finish("finished");
     if (options.as_child) return exit_code::done;
     print_result(run);
-    if (run.name() == "md")
-        for (const std::string& note : notes_of_start(scene)) fmt::print("note: {}\n", note);
+    const Notes notes = run.name() == "md" ? notes_of_start(scene) : notes_of_continuum_start(scene, false);
+    for (const std::string& note : notes) fmt::print("note: {}\n", note);
     return exit_code::done;
 }
 

@@ -97,6 +97,7 @@ int run_both(const EngineOptions& options) {
         continuum::Solver{scene};
         prepare_folder(folder, options.overwrite, scene::print_scene(scene));
         files::write_atomically(folder / "scene.toml", scene::print_scene(scene));
+        for (const std::string& note : notes_of_continuum_start(scene, true)) fmt::print("note: {}\n", note);
     } else {
         scene::read_scene(folder / "scene.toml");
     }

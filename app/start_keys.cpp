@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "continuum/initial_state.hpp"
 #include "scene/errors.hpp"
 
 namespace shaken::app {
@@ -13,6 +14,24 @@ Notes notes_of_start(const scene::Scene& scene) {
     return {
         "The MD starts from initial.file, where md.seed and initial.seed have no part: runs from one state are "
         "one run, whatever their seeds."};
+}
+
+Notes notes_of_continuum_start(const scene::Scene& scene, bool beside_md) {
+    if (scene.kind != scene::Kind::layer) return {};
+    const scene::Initial &given = scene.initial, usual;
+    Notes notes;
+    if (given.wave == 0.0 && (given.wave_x != usual.wave_x || given.wave_y != usual.wave_y))
+        notes.push_back(
+            fmt::format("initial.wave_x = {} and initial.wave_y = {} have no part in a start without a wave: "
+                        "initial.wave is 0.",
+                        given.wave_x, given.wave_y));
+    const bool random = given.noise > 0.0 && continuum::resolve_dimension(scene) > 1;
+    if (!beside_md && !random && given.seed != usual.seed)
+        notes.push_back(fmt::format(
+            "initial.seed = {} has no part in a continuum that starts without noise: runs that differ in it are one "
+            "run.",
+            given.seed));
+    return notes;
 }
 
 void refuse_phase_without_file(const scene::Scene& scene) {

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "plan/choices.hpp"
+#include "plan/levels.hpp"
 #include "plan/rules.hpp"
 #include "plan/table.hpp"
 
@@ -65,24 +66,12 @@ std::pair<double, Profile> choose_lid(Trials& trials, const std::string& scheme,
     return {lids[high], off(high).value_or(Profile{})};
 }
 
-Profile sum_of(Profile a, const Profile& b) {
-    for (std::size_t p = 0; p < phases; ++p) a[p] += b[p];
-    return a;
-}
-
-/// Measured on one grid: its error and its time and steps a cycle.
-struct Level {
-    double spacing = 0.0, error = 0.0, seconds = 0.0, steps = 0.0, begin = 0.0, leave = 0.0;
-    Profile profile{}, deviation{};
-};
-
 /// Grids each half as wide as the one before, until the error or the trials' time is reached; errors from the finest.
 std::vector<Level> measure_levels(Trials& trials, const ContinuumPlan& plan, double lid, double spacing, double error,
                                   double order) {
     const auto settle = static_cast<std::size_t>(plan.settle);
     const std::size_t cycles = settle + static_cast<std::size_t>(plan.average);
     const std::size_t run = (cycles + whole_runs - 1) / whole_runs * whole_runs;
-    const double gain = std::pow(2.0, order);
     std::vector<Level> levels;
     for (int k = 0; k < most_levels; ++k, spacing *= 0.5) {
         const Column* column = trials.column(plan.scheme, spacing, lid, run, levels.size() < 2);
@@ -92,39 +81,10 @@ std::vector<Level> measure_levels(Trials& trials, const ContinuumPlan& plan, dou
         }
         levels.push_back({spacing, 0.0, column->seconds_per_cycle, column->steps_per_cycle, column->seconds_to_begin,
                           column->seconds_to_leave, mean(column->heights, settle, cycles)});
-        if (levels.size() < 2) continue;
-        Level& last = levels.back();
-        last.deviation = deviation(levels[levels.size() - 2].profile, last.profile);
-        for (double& d : last.deviation) d /= gain - 1.0;
-        last.error = root_mean_square(last.deviation);
-        if (last.error <= 0.5 * error) break;
-    }
-    for (std::size_t k = 0; k + 1 < levels.size(); ++k) {
-        levels[k].deviation = sum_of(deviation(levels[k].profile, levels.back().profile), levels.back().deviation);
-        levels[k].error = root_mean_square(levels[k].deviation);
+        tell_errors(levels, order);
+        if (levels.size() > 1 && levels.back().error <= 0.5 * error) break;
     }
     return levels;
-}
-
-/// That of the nearest level, scaled to an error.
-Profile deviation_at(const std::vector<Level>& levels, double spacing, double error) {
-    const auto nearer = [&](const Level& a, const Level& b) {
-        return std::abs(std::log(a.spacing / spacing)) < std::abs(std::log(b.spacing / spacing));
-    };
-    const Level& nearest = *std::min_element(levels.begin(), levels.end(), nearer);
-    Profile scaled = nearest.deviation;
-    for (double& d : scaled) d *= nearest.error > 0.0 ? error / nearest.error : 0.0;
-    return scaled;
-}
-
-/// Between two levels by a power of the spacing, beyond the finest by the given one.
-double interpolate(const std::vector<Level>& levels, double spacing, double Level::*quantity, double order) {
-    if (levels.size() == 1 || spacing <= levels.back().spacing)
-        return levels.back().*quantity * std::pow(spacing / levels.back().spacing, order);
-    std::size_t k = 0;
-    while (k + 2 < levels.size() && levels[k + 1].spacing > spacing) ++k;
-    const double share = std::log(spacing / levels[k].spacing) / std::log(levels[k + 1].spacing / levels[k].spacing);
-    return levels[k].*quantity * std::pow(levels[k + 1].*quantity / (levels[k].*quantity), share);
 }
 
 double cells_along(double side, double spacing) { return std::max(1.0, std::round(side / spacing)); }

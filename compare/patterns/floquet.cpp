@@ -9,26 +9,30 @@ namespace shaken::compare {
 
 CoherentPart coherent_part(std::span<const std::int64_t> cycles, std::span<const Amplitude> amplitudes) {
     constexpr std::size_t most_blocks = 10;
-    CoherentPart part;
-    const auto signed_amplitude = [&](std::size_t i) { return cycles[i] % 2 == 0 ? amplitudes[i] : -amplitudes[i]; };
-    const std::size_t count = amplitudes.size();
-    for (std::size_t i = 0; i < count; ++i) part.mean += signed_amplitude(i) / static_cast<double>(count);
+    const std::size_t count = amplitudes.size() / 2 * 2, first = amplitudes.size() - count;
+    if (count == 0) return {Amplitude(std::nan(""), std::nan("")), std::nan("")};
+    const auto signed_mean = [&](std::size_t from, std::size_t to) {
+        Amplitude mean = 0.0;
+        for (std::size_t i = from; i < to; ++i)
+            mean += (cycles[i] % 2 == 0 ? amplitudes[i] : -amplitudes[i]) / static_cast<double>(to - from);
+        return mean;
+    };
+    CoherentPart part{signed_mean(first, first + count), std::nan("")};
     const std::size_t blocks = std::min(most_blocks, count / 2);
-    if (blocks < 2) {
-        part.error = std::nan("");
-        return part;
-    }
-    const std::size_t length = count / blocks / 2 * 2;  // even, so that what does not alternate cancels
-    double squares = 0.0;
+    if (blocks < 2) return part;
+    const std::size_t length = count / blocks / 2 * 2;
     std::vector<Amplitude> means(blocks);
     Amplitude mean = 0.0;
     for (std::size_t b = 0; b < blocks; ++b) {
-        for (std::size_t i = b * length; i < (b + 1) * length; ++i)
-            means[b] += signed_amplitude(i) / static_cast<double>(length);
+        means[b] = signed_mean(first + b * length, first + (b + 1) * length);
         mean += means[b] / static_cast<double>(blocks);
     }
+    double squares = 0.0;
     for (const Amplitude& block : means) squares += std::norm(block - mean);
-    part.error = std::sqrt(squares / (static_cast<double>(blocks) * static_cast<double>(blocks - 1)));
+    const double scatter = std::sqrt(squares / (static_cast<double>(blocks) * static_cast<double>(blocks - 1)));
+    // What drifts leaves half its change a cycle, of the other sign in periods that begin a cycle later.
+    const double drift = 0.5 * std::abs(part.mean - signed_mean(first + 1, first + count - 1));
+    part.error = std::max(scatter, drift);
     return part;
 }
 

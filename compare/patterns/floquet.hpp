@@ -12,14 +12,16 @@ namespace shaken::compare {
 
 using Amplitude = std::complex<double>;
 
-/// The mean of (-1)^cycle a and its standard error (of the modulus, from at most ten blocks of an even number of
-/// cycles). Noise alone gives a mean of the size of its error.
+/// The mean of (-1)^cycle a over whole periods of two cycles, in which what does not alternate cancels, and its error:
+/// the standard error of the modulus from at most ten blocks of whole periods, or what a drift would leave, if that is
+/// more. Noise alone gives a mean of the size of its error.
 struct CoherentPart {
     Amplitude mean;
     double error = 0.0;
 };
 
-/// cycles and amplitudes: one each, in order. The error is NaN for fewer than four cycles.
+/// cycles, which follow one another, and amplitudes: one each; of an odd number the first is left out. The mean is NaN
+/// for fewer than two cycles, the error for fewer than four.
 CoherentPart coherent_part(std::span<const std::int64_t> cycles, std::span<const Amplitude> amplitudes);
 
 /// The multiplier mu of a(c + 1) = mu a(c) over cycles that follow one another, as the geometric mean of the ratios, so

@@ -118,7 +118,8 @@ std::vector<Fluctuation> fluctuations(std::span<const PlaneWave> waves,
     std::vector<Fluctuation> found;
     if (amplitudes.size() < fewest_cycles) return found;
     const std::size_t blocks = std::min(most_blocks, amplitudes.size() / (2 * looked_at));
-    const std::size_t length = amplitudes.size() / blocks;
+    // Even: products of what lasts with what alternates then cancel at every lag.
+    const std::size_t length = amplitudes.size() / blocks / 2 * 2;
     for (const auto& [wavenumber, members] : by_wavelength(waves)) {
         if (found.size() == most) break;
         std::vector<std::vector<double>> of_block(blocks, std::vector<double>(looked_at));

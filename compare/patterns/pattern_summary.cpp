@@ -40,7 +40,26 @@ Observed observe(const fields::HeightMaps& maps, const PatternWindow& window, Ma
     return seen;
 }
 
+/// Without the first map where their number is odd, so that they are whole periods of what alternates.
+Observed whole_periods(Observed seen) {
+    if (seen.cycles.size() > 1 && seen.cycles.size() % 2 == 1) {
+        seen.cycles.erase(seen.cycles.begin());
+        seen.amplitudes.erase(seen.amplitudes.begin());
+        seen.mean_height.erase(seen.mean_height.begin());
+    }
+    return seen;
+}
+
 constexpr std::size_t most_blocks = 10, longest_waves = 16;
+
+/// Where each block of whole periods begins, and the last one ends; one block of a single map.
+std::vector<std::size_t> block_edges(std::size_t maps) {
+    const std::size_t periods = maps / 2, blocks = std::clamp(periods, std::size_t{1}, most_blocks);
+    std::vector<std::size_t> edges;
+    for (std::size_t b = 0; b < blocks; ++b) edges.push_back(2 * (b * periods / blocks));
+    edges.push_back(maps);
+    return edges;
+}
 
 PowerSpectrum spectrum_without(const Observed& seen, const MapTransform& transform, std::size_t from, std::size_t to) {
     PowerSpectrum spectrum(transform);
@@ -50,11 +69,11 @@ PowerSpectrum spectrum_without(const Observed& seen, const MapTransform& transfo
 }
 
 std::vector<PatternBlock> blocks_of(const Observed& seen, const MapTransform& transform) {
-    const std::size_t count = seen.amplitudes.size(), blocks = std::min(most_blocks, count);
+    const std::vector<std::size_t> edges = block_edges(seen.amplitudes.size());
     std::vector<PatternBlock> found;
-    for (std::size_t b = 0; b < blocks; ++b) {
+    for (std::size_t b = 0; b + 1 < edges.size(); ++b) {
         PowerSpectrum spectrum(transform);
-        for (std::size_t i = b * count / blocks; i < (b + 1) * count / blocks; ++i) spectrum.add(seen.amplitudes[i]);
+        for (std::size_t i = edges[b]; i < edges[b + 1]; ++i) spectrum.add(seen.amplitudes[i]);
         found.push_back({spectrum.mean_square(), spectrum.power_by_angle()});
     }
     return found;
@@ -63,12 +82,10 @@ std::vector<PatternBlock> blocks_of(const Observed& seen, const MapTransform& tr
 /// A function of the mean spectrum with the error that leaving out blocks of cycles gives.
 Measure measure(const Observed& seen, const MapTransform& transform,
                 const std::function<double(const PowerSpectrum&)>& quantity) {
-    const std::size_t count = seen.amplitudes.size(), blocks = std::min(most_blocks, count);
+    const std::vector<std::size_t> edges = block_edges(seen.amplitudes.size());
     std::vector<double> without;
-    if (blocks > 1)
-        for (std::size_t b = 0; b < blocks; ++b)
-            without.push_back(
-                quantity(spectrum_without(seen, transform, b * count / blocks, (b + 1) * count / blocks)));
+    for (std::size_t b = 0; b + 1 < edges.size() && edges.size() > 2; ++b)
+        without.push_back(quantity(spectrum_without(seen, transform, edges[b], edges[b + 1])));
     return {quantity(spectrum_without(seen, transform, 0, 0)), jackknife_error(without)};
 }
 
@@ -76,12 +93,12 @@ Measure measure(const Observed& seen, const MapTransform& transform,
 
 PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWindow& window, std::size_t strongest) {
     MapTransform transform(maps.grid());
-    const Observed seen = observe(maps, window, transform);
+    const Observed all = observe(maps, window, transform), seen = whole_periods(all);
     if (seen.cycles.empty()) throw std::invalid_argument("no map at this phase in these cycles");
     const PowerSpectrum spectrum = spectrum_without(seen, transform, 0, 0);
 
     PatternSummary summary;
-    summary.window = window;
+    summary.window = {window.phase, seen.cycles.front(), static_cast<std::int64_t>(seen.cycles.size())};
     summary.maps = spectrum.maps();
     summary.mean_square = measure(seen, transform, [](const PowerSpectrum& s) { return s.mean_square(); });
     summary.order = measure(seen, transform, [](const PowerSpectrum& s) { return s.order(); });
@@ -112,11 +129,11 @@ PatternSummary summarise_pattern(const fields::HeightMaps& maps, const PatternWi
         WaveSummary wave{transform.waves()[w], std::abs(parts[w].mean), parts[w].error};
         wave.root_mean_square = std::sqrt(power[w] / wave.wave.share);
         wave.multiplier = wave.alternating_multiplier = std::nan("");
-        if (seen.cycles.size() > 1) {
-            const Amplitude mu = multiplier(seen.of_wave(w));
+        if (all.cycles.size() > 1) {
+            const Amplitude mu = multiplier(all.of_wave(w));
             wave.multiplier = std::copysign(std::abs(mu), mu.real());
         }
-        if (seen.cycles.size() > 3) wave.alternating_multiplier = alternating_multiplier(seen.of_wave(w));
+        if (all.cycles.size() > 3) wave.alternating_multiplier = alternating_multiplier(all.of_wave(w));
         summary.waves.push_back(wave);
     }
     summary.fluctuations = fluctuations(transform.waves(), seen.amplitudes, longest_waves);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The pattern of one run in numbers, from its maps at one phase of the cycle. Errors are standard errors from ten
-// blocks of cycles.
+// The pattern of one run in numbers, from its maps at one phase of the cycle. A pattern at half the plate's frequency
+// comes back after two cycles: averages, and the ten blocks of cycles from which standard errors are, hold whole pairs.
 #pragma once
 
 #include <cstdint>
@@ -28,7 +28,7 @@ struct WaveSummary {
     PlaneWave wave;
     double coherent = 0.0, coherent_error = 0.0;  // |mean of (-1)^cycle a|, sigma, and its error
     double root_mean_square = 0.0;                // of |a|, sigma
-    double multiplier = 0.0;                      // from cycle to cycle: modulus, negative at half the frequency
+    double multiplier = 0.0;  // from cycle to cycle of the whole window: modulus, negative at half the frequency
     double alternating_multiplier = 0.0;          // of the part that alternates; NaN where none does
 };
 
@@ -39,7 +39,7 @@ struct PatternBlock {
 };
 
 struct PatternSummary {
-    PatternWindow window;
+    PatternWindow window;  // of the averages: of an odd number of cycles, from three on, the first is left out
     std::int64_t maps = 0;
     Measure mean_square;           // <psi^2>, sigma^2
     double mean_height = 0.0;      // <z_cm>, sigma, laboratory frame
@@ -51,7 +51,7 @@ struct PatternSummary {
     double coherent_share = 0.0;  // of <psi^2> in the waves' alternating means, less what noise alone would leave there
     std::vector<WaveSummary> waves;         // the strongest, by power
     std::vector<Fluctuation> fluctuations;  // of the longest waves, by wavelength; none for fewer than forty maps
-    std::vector<PatternBlock> blocks;       // at most ten, equally long, in order
+    std::vector<PatternBlock> blocks;       // at most ten, equally long to two cycles, in order
 };
 
 /// Throws std::invalid_argument where the window holds no map.

@@ -45,8 +45,14 @@ def along_strip(path, reference, count):
     return length / np.arange(1, count + 1), np.array(found)
 
 
+def whole_periods(cycles):
+    """So many cycles that what alternates and what lasts do not mix: of more than one an even number."""
+    return cycles if cycles < 2 else cycles // 2 * 2
+
+
 def pairs(amplitudes):
-    """What an amplitude (cycles, ...) has in common with itself a cycle later, and its square: (cycles - 1, 2, ...)."""
+    """What an amplitude (cycles, ...) has in common with itself a cycle later, and its square: (cycles - 1, 2, ...), of an even number."""
+    amplitudes = amplitudes[:whole_periods(len(amplitudes) - 1) + 1]
     return np.stack([(amplitudes[1:] * amplitudes[:-1].conj()).real, np.abs(amplitudes[:-1]) ** 2], axis=1)
 
 
@@ -74,6 +80,7 @@ def without_blocks(values, blocks, measure):
 def survival(amplitudes, phases, reference):
     """Part of an amplitude at state `reference` of a cycle that is left later, at the states of that cycle and the next: (2 phases - reference)."""
     cycles = amplitudes.reshape(-1, phases, amplitudes.shape[-1])
+    cycles = cycles[:whole_periods(len(cycles) - 1) + 1]
     start = cycles[:-1, reference]
     later = np.concatenate([cycles[:-1], cycles[1:]], axis=1)[:, reference:]
     left = (later * start[:, None].conj()).sum(axis=(0, 2)) / (np.abs(start) ** 2).sum()

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The command from outside: what it says, what it leaves, how it ends.
+#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
@@ -39,6 +40,9 @@ TEST_CASE("the resolved scene is a scene, and the keys are listed with units and
     const std::string first = (folder / "a.toml").string();
     CHECK(shaken(std::string("scene ") + small_scene + " > " + first).code == 0);
     CHECK(shaken("scene " + first).text == support::content_of(first));
+    for (const char* given : {"frequency = 0.15", "number = 200", "ceiling = 60.0", "phases = 100", "settle = 2",
+                              "average = 4", "map_bin = 2.0", "lid = 40.0"})
+        CHECK_THAT(support::content_of(first), Contains(std::string("\n") + given + "\n"));
     CHECK_THAT(shaken("scene --keys").text,
                Contains("acceleration") && Contains("in sqrt(g/sigma)") && Contains("closure: jenkins_richman"));
 }
@@ -103,10 +107,10 @@ TEST_CASE("a scene that cannot run removes nothing of the run it would replace")
 TEST_CASE("a run takes no folder from another that is at work there") {
     const support::TemporaryFolder folder;
     const std::string out = (folder / "a").string();
-    const auto result =
-        support::shell(std::string(SHAKEN_COMMAND) + " md " + small_scene + " --set sample.average=2000 -q --out " +
-                       out + " & sleep 0.5; " + SHAKEN_COMMAND + " continuum " + small_scene + " --overwrite --out " +
-                       out + "; code=$?; kill $!; wait $!; exit $code");
+    const auto result = support::shell(
+        std::string(SHAKEN_COMMAND) + " md " + small_scene + " --set sample.average=2000 -q --out " + out +
+        " & until [ -e " + out + "/md.checkpoint ]; do sleep 0.02; done; " + SHAKEN_COMMAND + " continuum " +
+        small_scene + " --overwrite --out " + out + "; code=$?; kill $!; wait $!; exit $code");
     CHECK(result.code == 73);
     CHECK_THAT(result.text, Contains("another run of md is at work there"));
 }
@@ -139,7 +143,10 @@ TEST_CASE("comparing and reporting need both engines' files") {
 TEST_CASE("one command runs both engines, compares and reports") {
     const support::TemporaryFolder folder;
     const std::string out = (folder / "run").string();
-    const auto result = shaken(std::string("run ") + small_scene + " --out " + out);
+    const auto start = std::chrono::steady_clock::now();
+    const auto result =
+        support::shell("OMP_NUM_THREADS=1 " SHAKEN_COMMAND " run " + std::string(small_scene) + " --out " + out);
+    const double elapsed = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     INFO(result.text);
     REQUIRE(result.code == 0);
     for (const char* name :
@@ -152,7 +159,10 @@ TEST_CASE("one command runs both engines, compares and reports") {
         CHECK(summary.at(engine).at("zcm").size() == 20);
         for (const char* key : {"formation_phase", "leaving_phase", "mean_speed"})
             CHECK(summary.at(engine).at("shock").contains(key));
-        CHECK(summary.at(engine).at("cpu_seconds").get<double>() > 0.0);
+        const double cpu = summary.at(engine).at("cpu_seconds"), wall = summary.at(engine).at("wall_seconds");
+        CHECK(cpu > 1e-3);     // 200 particles, or 80 cells, over six cycles
+        CHECK(cpu < elapsed);  // of one thread
+        CHECK(wall < elapsed);
     }
     CHECK(summary.at("md").at("collisions_per_particle_per_cycle").get<double>() > 1.0);
     CHECK(summary.at("continuum").at("steps_per_cycle").get<double>() > 10.0);

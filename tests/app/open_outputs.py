@@ -1,4 +1,4 @@
-"""Opens md.h5 and continuum.h5 as a user would, with h5py, and checks what the formats promise."""
+"""Opens md.h5, continuum.h5 and compare.h5 as a user would, with h5py, and checks what the formats promise."""
 import pathlib
 import sys
 import xml.etree.ElementTree
@@ -56,9 +56,23 @@ with h5py.File(folder / "continuum.h5") as continuum:
     mass = continuum["observables/mass/value"][()]
     assert numpy.abs(mass / mass[0] - 1).max() < 1e-12
 
+with h5py.File(folder / "compare.h5") as compare, h5py.File(folder / "md.h5") as md:
+    for engine in ("md", "continuum"):
+        t, t_x, t_z = (compare[f"{engine}/{name}"][()] for name in ("temperature", "temperature_x", "temperature_z"))
+        assert numpy.isfinite(t).sum() > 500, engine
+        # 3 T = T_x + T_y + T_z, of which temperature_x is the mean of the first two; round-off of squares of velocities of some ten.
+        assert numpy.allclose(3 * t, 2 * t_x + t_z, rtol=1e-12, atol=1e-11, equal_nan=True), engine
+    # From the sums of the MD, by the definition: each component's scatter about the mean, of which one degree of freedom is lost.
+    mass, *momenta = numpy.moveaxis(md["profiles/sums"][()].sum(axis=0), -1, 0)
+    with numpy.errstate(invalid="ignore", divide="ignore"):
+        t_x, t_y, t_z = ((square - first**2 / mass) / (mass - 1) for first, square in zip(momenta[:3], momenta[3:]))
+    seen = mass > 1
+    for name, wanted in (("temperature_x", (t_x + t_y) / 2), ("temperature_z", t_z), ("temperature", (t_x + t_y + t_z) / 3)):
+        assert numpy.allclose(compare[f"md/{name}"][()][seen], wanted[seen], rtol=1e-9, atol=1e-9), name
+
 text = xml.etree.ElementTree.parse(folder / "continuum.xdmf")
 items = [item.text for item in text.iter("DataItem") if item.get("Format") == "HDF"]
 assert len(items) == 20 * 5
 with h5py.File(folder / "continuum.h5") as continuum:
     assert all(item.split(":")[0] == "continuum.h5" and item.split(":")[1] in continuum for item in items)
-print("md.h5, continuum.h5 and continuum.xdmf are what docs/formats.md says")
+print("md.h5, continuum.h5, compare.h5 and continuum.xdmf are what docs/formats.md says")

@@ -2,10 +2,10 @@
 #include "compare/compare_file.hpp"
 
 #include <cmath>
-#include <filesystem>
 
 #include "synthetic.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
 
@@ -20,7 +20,8 @@ TEST_CASE("what compare.h5 says of a run is what was measured of it") {
     const auto md = compare::measure(synthetic::run_with_front(4), motion, medium);
     const auto continuum = compare::measure(synthetic::run_with_front(1), motion, medium);
     REQUIRE(md.all.history);
-    const auto path = std::filesystem::temp_directory_path() / "shaken_compare_test.h5";
+    const support::TemporaryFolder folder;
+    const auto path = folder / "compare.h5";
     compare::write_compare_file(path, md, continuum, medium, {});
     {
         const files::Hdf5File file(path, files::Open::read);
@@ -50,7 +51,6 @@ TEST_CASE("what compare.h5 says of a run is what was measured of it") {
         CHECK(file.read<double>("/md/velocity_error")[phase * 80 + bin] ==
               Approx(std::sqrt(0.75 * squares)).epsilon(1e-9));
     }
-    std::filesystem::remove(path);
 }
 
 TEST_CASE("runs on different bins are not compared") {

@@ -89,11 +89,17 @@ TEST_CASE("noise, mean-field onset and scale of made-up curves are recovered") {
     CHECK(without.front().control == measured.control.front());
     for (const auto& one : without) CHECK(one.fit.noise == Approx(0.009).epsilon(0.3));  // 35 points hold it as well
 
-    measured.mean_square_error.assign(measured.control.size(), 0.0);
     measured.order_error.assign(measured.control.size(), 0.0);
-    for (std::size_t i = 0; i < measured.control.size(); ++i)
-        measured.mean_square_error[i] = 0.05 * measured.mean_square[i];
-    CHECK(compare::fit_noise(measured, model, compare::redraw_within_errors(measured), 50).noise_error > 0.0);
+    const auto error_for = [&](double share) {
+        measured.mean_square_error = measured.mean_square;
+        for (double& error : measured.mean_square_error) error *= share;
+        return compare::fit_noise(measured, model, compare::redraw_within_errors(measured), 50).noise_error;
+    };
+    CHECK(error_for(0.0) < 1e-12);  // round-off of a mean of equal draws
+    // Fifty draws give an error to a tenth; it grows as the errors that it comes from.
+    const double one = error_for(0.02);
+    CHECK(error_for(0.04) / one == Approx(2.0).epsilon(0.5));
+    CHECK(one < 0.1 * fit.noise);
 }
 
 TEST_CASE("the bootstrap over seeds and blocks scatters as the mean over seeds does") {

@@ -260,8 +260,8 @@ TEST_CASE("a striped run is summed up as what it is") {
             }
         maps.end();
     }
-    const auto summary = compare::summarise_pattern(maps, {0.25, 10, 50});
-    CHECK(summary.maps == 50);
+    const auto summary = compare::summarise_pattern(maps, {0.25, 20, 40});
+    CHECK(summary.maps == 40);
     CHECK(summary.wavelength == Approx(21.0).epsilon(0.01));  // statistics: neighbours' share of the noise
     CHECK(summary.order.value > 0.9);
     // <psi^2> = 1/8 of the wave and 0.01 of the noise.

@@ -17,15 +17,14 @@ import unittest
 import numpy as np
 
 SHAKEN, SOURCE = sys.argv[1], pathlib.Path(sys.argv[2])
-sys.path[:0] = [str(SOURCE / "scripts/figures"), str(SOURCE / "scripts/workflow")]
+sys.path[:0] = [str(SOURCE / part) for part in ("scripts/figures", "scripts/workflow", "tests/support")]
 os.environ["SHAKEN"] = SHAKEN
 
 import convergence
+import drawn
 import figure_5_2
 import figure_5_growth
 import figure_6_tables
-import horizontal_momentum
-import model_scatter
 import rows
 import run_folder
 import slices
@@ -175,51 +174,7 @@ class Rows(unittest.TestCase):
         self.assertAlmostEqual(mean / tables.number(once.splitlines()[1].split(",")[1]), 1, delta=1e-4)  # six digits are kept
 
 
-class Momentum(unittest.TestCase):
-    def test_what_is_left_of_a_wave_is_what_was_put_in(self):
-        """Particles at rest whose transverse velocity is a wave that fades and turns round, of another sign and size each cycle."""
-        random = np.random.default_rng(1)
-        sides, phases, cycles = np.array([7.0, 9.0]), 4, 6
-        within = np.array([1.0, 0.5, 0.25, -0.75])
-        place = random.uniform(size=(500, 3)) * [*sides, 1.0]
-        wave = np.cos(2 * np.pi * place[:, 0] / sides[0] + 0.3)
-        sizes = np.concatenate([(-2.0) ** c * within for c in range(cycles)])
-        velocity = np.zeros((phases * cycles, 500, 3))
-        velocity[:, :, 1] = sizes[:, None] * wave
-        amplitudes = horizontal_momentum.transverse(np.broadcast_to(place, velocity.shape), velocity, sides)
-        left = horizontal_momentum.survival(amplitudes, phases, 1)
-        np.testing.assert_allclose(left[:5], [1, 0.5, -1.5, -4, -2], rtol=1e-12)  # round-off: one wave, no noise
-
-    def test_a_wave_that_is_turned_round_has_a_negative_factor_and_the_length_below_which_it_is_is_found(self):
-        series = np.outer((-0.8) ** np.arange(12), [1.0, 2.0 - 1.0j])
-        np.testing.assert_allclose(horizontal_momentum.factor_a_cycle(horizontal_momentum.pairs(series)), -0.8, rtol=1e-12)  # round-off
-        wavelengths = 168.0 / np.arange(1, 17)
-        self.assertAlmostEqual(horizontal_momentum.turned_below(wavelengths, np.log(wavelengths / 60.0)), 60.0, delta=1e-9)  # round-off
-        self.assertTrue(np.isnan(horizontal_momentum.turned_below(wavelengths, np.ones(16))))
-
-    def test_the_error_of_a_mean_by_leaving_blocks_out_is_its_standard_error(self):
-        values = np.random.default_rng(2).normal(size=100)
-        mean, error = horizontal_momentum.without_blocks(values, 100, np.mean)
-        self.assertAlmostEqual(mean, values.mean(), delta=1e-12)
-        self.assertAlmostEqual(error, values.std(ddof=1) / 10, delta=1e-12)
-
-    def test_a_triangular_lattice_has_order_1_and_a_square_one_none(self):
-        rows_of = [(x + 0.5 * (y % 2), y * math.sqrt(0.75)) for y in range(10) for x in range(10)]
-        self.assertAlmostEqual(horizontal_momentum.bond_order(np.array(rows_of), np.array([10, 10 * math.sqrt(0.75)])), 1, delta=1e-12)
-        square = np.array([(x, y) for y in range(10) for x in range(10)], float)
-        self.assertAlmostEqual(horizontal_momentum.bond_order(square, np.array([10.0, 10.0])), 0, delta=1e-12)  # four bonds, round-off
-
-
 class Model(unittest.TestCase):
-    def test_the_noise_of_a_swift_hohenberg_field_is_found_within_20_per_cent(self):
-        """F = 0.012 of another seed than the kept curves, told as Gamma with a mean-field onset of 1.965 and a scale of 2."""
-        fit = model_scatter.fit_of_field(SHAKEN, EXPECTED / "ch6_swift_hohenberg.csv", steps=4000, seed=77, settle=4000)
-        self.assertAlmostEqual(fit["noise"] / 0.012, 1, delta=0.2)
-        self.assertAlmostEqual(fit["mean_field_onset"], 1.965, delta=0.02)  # half a step of the controls
-        self.assertAlmostEqual(fit["scale"], 2, delta=0.4)
-        self.assertTrue(0 < fit["noise_error"] < 0.012)
-        self.assertEqual(fit["draws"], 200)
-
     def test_the_noise_coefficient_is_made_of_the_closure_s_values(self):
         """Against mu, kappa of physics at nu = 0.4, T = 1, e = 0.7, and the sound speed, c^2 = T chi (1 + 2/3 chi + nu chi'/chi)."""
         nu, mu, kappa, sound = 0.4, 1.29962695, 5.27841943, 5.64608591
@@ -229,22 +184,36 @@ class Model(unittest.TestCase):
         self.assertAlmostEqual(figure_6_tables.noise_coefficient(nu, 1.0, 5.4) / wanted, 1, delta=1e-6)  # digits of the values
 
 
+# Columns of a figure's CSV that are coordinates of its points and lines, or colours of its maps, whose CSV keeps five digits.
+DRAWN = {"figure_5_momentum": ("MD", "continuum"), "figure_5_elastic": ("wavelength/sigma", "factor a cycle"), "figure_5_2": ("wavelength/H",),
+         "figure_5_growth": ("Gamma", "factor a cycle"), "figure_5_converged": ("dx/sigma", "growth a cycle"), "figure_6_2": ("Gamma",),
+         "figure_6_3": ("Gamma", "mean square/sigma^2", "P_max"), "figure_6_4": ("F", "residual/sigma^4"),
+         "figure_6_5": ("Gamma", "mean square over mean height squared"), "figure_6_scatter": ("noise", "mean_field_onset"),
+         "figure_6_fluctuations": ("Gamma", "factor a cycle"), "figure_5_sloshing": ("ft", "height wave", "sloshing"), "figure_5_3": (),
+         "figure_5_1": ("psi/sigma",), "figure_5_4": ("nu",), "figure_5_8": ("nu", "T"), "figure_5_fluid": ("nu", "u_x"), "figure_5_9": ("u_z", "P"),
+         "figure_5_10": ("u_x", "dP/dx")}
+MAPS = {"figure_5_1", "figure_5_4", "figure_5_8", "figure_5_fluid", "figure_5_9", "figure_5_10"}
+
+
 class Figures(unittest.TestCase):
     def draw(self, name):
-        study = run_folder.Study(OUT)
-        module = __import__(name)
-        path = module.draw(study)
-        for suffix in (".png", ".pdf", ".csv"):
-            self.assertGreater(path.with_suffix(suffix).stat().st_size, 100, name + suffix)
+        """The rows of a figure's CSV, of which the columns that are drawn stand among the coordinates and colours of what is drawn."""
+        with drawn.figures() as seen:
+            path = __import__(name).draw(run_folder.Study(OUT))
         with open(path.with_suffix(".csv")) as file:
-            return list(csv.DictReader(file))
+            found = list(csv.DictReader(file))
+        known = drawn.numbers(seen[-1])
+        for column in DRAWN[name]:
+            share = drawn.share_drawn(known, [tables.number(row[column]) for row in found], 6e-6 if name in MAPS else 1e-9)
+            self.assertEqual(share, 1, f"{name}: {column} of its CSV is not what is drawn")
+        return found
 
     def test_figures_of_rows(self):
         fit = shaken("fit-noise", EXPECTED / "ch6_onset_md.csv", "--model", EXPECTED / "ch6_swift_hohenberg.csv")
         (OUT / "fit.json").write_text(fit)
         (OUT / "scatter.csv").write_text((EXPECTED / "ch6_fit_scatter.csv").read_text())
         for name in ("figure_5_2", "figure_5_growth", "figure_5_converged", "figure_6_2", "figure_6_3", "figure_6_4", "figure_6_5", "figure_6_scatter", "figure_6_fluctuations"):
-            self.assertTrue(self.draw(name), name)
+            self.assertGreater(len(self.draw(name)), 3, name)
 
     def test_figures_of_small_runs(self):
         small_continuum()

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -8,6 +9,7 @@
 #include "compare/summary.hpp"
 #include "synthetic.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
 
@@ -20,13 +22,6 @@ int run_report(const std::filesystem::path& folder) {
     return WEXITSTATUS(std::system(command.c_str()));
 }
 
-std::filesystem::path fresh_folder(const std::string& name) {
-    const auto folder = std::filesystem::temp_directory_path() / name;
-    std::filesystem::remove_all(folder);
-    std::filesystem::create_directories(folder);
-    return folder;
-}
-
 std::size_t count(const std::string& text, const std::string& part) {
     std::size_t found = 0;
     for (auto at = text.find(part); at != std::string::npos; at = text.find(part, at + 1)) ++found;
@@ -36,7 +31,8 @@ std::size_t count(const std::string& text, const std::string& part) {
 }  // namespace
 
 TEST_CASE("a compared run becomes one report without outside parts, and each figure a PNG, a PDF and a CSV") {
-    const auto folder = fresh_folder("shaken_report_test");
+    const support::TemporaryFolder temporary;
+    const auto& folder = temporary.path();
     const compare::Medium medium = synthetic::ideal_gas();
     const scene::PlateMotion motion{5.0, 0.1};
     const auto md = compare::measure(synthetic::run_with_front(3), motion, medium);
@@ -69,11 +65,24 @@ TEST_CASE("a compared run becomes one report without outside parts, and each fig
             CHECK(std::filesystem::exists(file));
         }
     }
-    std::filesystem::remove_all(folder);
+    // The first column of figure 4.2(b) beside its source, from ft = -0.33 on: the CSV holds the file's values.
+    std::ifstream csv(folder / "figures/figure_4_2b.csv");
+    std::string line;
+    std::getline(csv, line);
+    for (std::size_t k = 0; k < 40; ++k) {
+        REQUIRE(std::getline(csv, line));
+        std::replace(line.begin(), line.end(), ',', ' ');
+        std::istringstream row(line);
+        double phase = 0.0, plate = 0.0, centre = 0.0;
+        row >> phase >> plate >> centre;
+        const std::size_t of = (k + 27) % 40;
+        CHECK(phase == Approx((static_cast<double>(k) - 13.0) / 40.0).margin(1e-12));  // round-off
+        CHECK(plate == md.all.profiles[of].plate_height);
+        CHECK(centre == md.all.centre_of_mass[of]);
+    }
 }
 
 TEST_CASE("a folder that was not compared is refused as input that is not there") {
-    const auto folder = fresh_folder("shaken_report_empty");
-    CHECK(run_report(folder) == 66);
-    std::filesystem::remove_all(folder);
+    const support::TemporaryFolder folder;
+    CHECK(run_report(folder.path()) == 66);
 }

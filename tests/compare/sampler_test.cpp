@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <cmath>
-#include <filesystem>
 
 #include "compare/continuum_sampler.hpp"
 #include "compare/md_sampler.hpp"
 #include "scene/read_scene.hpp"
 #include "synthetic.hpp"
 #include "tests/support/catch.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 using namespace shaken;
 
@@ -54,8 +54,6 @@ double mass(const fields::Profile& profile, double area) {
     for (const double n : profile.density) sum += n * profile.bins.width * area;
     return sum;
 }
-
-std::filesystem::path scratch(const std::string& name) { return std::filesystem::temp_directory_path() / name; }
 
 }  // namespace
 
@@ -108,10 +106,9 @@ TEST_CASE("an MD sampler restored from a checkpoint goes on with the same bits")
     first.sample(snapshot(scene, 1, 2), 1, 2);
     files::CheckpointWriter out;
     first.save(out);
-    const auto path = scratch("shaken_md_sampler.checkpoint");
-    out.commit(path);
-    second.restore(files::CheckpointReader(path));
-    std::filesystem::remove(path);
+    const support::TemporaryFolder folder;
+    out.commit(folder / "sampler.checkpoint");
+    second.restore(files::CheckpointReader(folder / "sampler.checkpoint"));
     whole.sample(snapshot(scene, 2, 2), 2, 2);
     second.sample(snapshot(scene, 2, 2), 2, 2);
     files::CheckpointWriter a, b;

@@ -116,8 +116,8 @@ inline std::vector<compare::PhaseMeasures> measure(std::vector<fields::Profile> 
     return measures;
 }
 
-/// A front that runs up through a layer at rest on the plate; blocks of cycles differ by noise of the velocity.
-inline fields::PhaseMoments run_with_front(std::int64_t blocks) {
+/// A front that runs up through a layer at rest on the plate; blocks of cycles differ by noise of velocity and z_cm.
+inline fields::PhaseMoments run_with_front(std::int64_t blocks, double noise = 1.0) {
     const scene::PlateMotion motion{5.0, 0.1};
     fields::PhaseMoments moments(fields::Deposits::cells, 40, {0.0, 0.5, 80}, 1.0, blocks, blocks);
     for (std::int64_t cycle = 0; cycle < blocks; ++cycle) {
@@ -130,10 +130,10 @@ inline fields::PhaseMoments run_with_front(std::int64_t blocks) {
             for (int i = 0; i < 400; ++i) {
                 const double z = 0.1 * i + 0.05;
                 const double n = front.volume_fraction(z) * 6.0 / std::numbers::pi;
-                moments.add_slab(z - 0.05, z + 0.05, n, {0.0, 0.0, plate + front.velocity(z) + 0.05 * normal()},
+                moments.add_slab(z - 0.05, z + 0.05, n, {0.0, 0.0, plate + front.velocity(z) + 0.05 * noise * normal()},
                                  front.temperature(z));
             }
-            moments.set_centre_of_mass(10.0 + 0.1 * normal());
+            moments.set_centre_of_mass(10.0 + 0.1 * noise * normal());
         }
     }
     return moments;

@@ -70,6 +70,7 @@ void advance(Evolution& evolution, double duration) {
 
 Setup noisy_layer() {
     scene::Scene scene = wide_layer("3");
+    scene.box.y = 15.0;  // dx = 2, dy = 1.875
     scene.initial.noise = 0.3;
     scene.initial.seed = 3;
     return make_setup(scene);
@@ -136,8 +137,10 @@ TEST_CASE("the number of threads does not change a bit") {
     CHECK(results[0] == results[2]);
 }
 
-TEST_CASE("a flow with x and y exchanged keeps its bits") {
+TEST_CASE("a flow with x and y exchanged keeps its bits, on columns wider along one than along the other") {
     const Setup setup = noisy_layer();
+    REQUIRE(setup.grid.dx != setup.grid.dy);
+    REQUIRE(setup.grid.nx != setup.grid.ny);
     Grid turned_grid = setup.grid;
     std::swap(turned_grid.nx, turned_grid.ny);
     std::swap(turned_grid.dx, turned_grid.dy);
@@ -174,6 +177,7 @@ TEST_CASE("a flow with x and y exchanged keeps its bits") {
             const auto i = static_cast<std::size_t>(setup.grid.first(column) + iz);
             REQUIRE(one.flow().density[i] == back.density[i]);
             REQUIRE(one.flow().velocity_x[i] == back.velocity_x[i]);
+            REQUIRE(one.flow().velocity_y[i] == back.velocity_y[i]);
             REQUIRE(one.flow().velocity_z[i] == back.velocity_z[i]);
             REQUIRE(one.flow().temperature[i] == back.temperature[i]);
         }

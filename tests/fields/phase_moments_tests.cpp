@@ -27,7 +27,7 @@ std::vector<Particle> random_particles(int count, unsigned seed) {
     std::mt19937_64 engine(seed);
     const auto uniform = [&] { return std::ldexp(static_cast<double>(engine() >> 11), -53); };
     std::vector<Particle> particles(static_cast<std::size_t>(count));
-    for (Particle& p : particles) p = {9.0 * uniform(), {uniform() - 0.5, uniform() - 0.5, 3.0 + 2.0 * uniform()}};
+    for (Particle& p : particles) p = {9.0 * uniform(), {uniform() - 0.5, 4.0 * uniform(), 3.0 + 2.0 * uniform()}};
     return particles;
 }
 
@@ -69,6 +69,9 @@ TEST_CASE("profiles equal the naive double loop over bins and particles") {
         CHECK(profile.velocity[i] == Approx(mean[2]).margin(roundoff));
         CHECK(profile.temperature[i] == Approx((variance[0] + variance[1] + variance[2]) / 3).margin(roundoff));
         CHECK(profile.temperature_z[i] == Approx(variance[2]).margin(roundoff));
+        CHECK(profile.temperature_x[i] == Approx((variance[0] + variance[1]) / 2).margin(roundoff));
+        CHECK(3.0 * profile.temperature[i] ==
+              Approx(2.0 * profile.temperature_x[i] + profile.temperature_z[i]).margin(roundoff));
     }
 }
 

@@ -101,7 +101,8 @@ TEST_CASE("a layer that collapses runs with either remedy") {
     md::Simulation simulation(scene);
     CHECK_NOTHROW(simulation.advance_to(4, 0.0));
     CHECK(simulation.counters().pair_collisions < 4 * 420 * 2000);
-    CHECK(simulation.ledger().collision_loss > 0.0);
+    const md::Ledger books = simulation.ledger();
+    CHECK(books.collision_loss > 0.5 * books.plate_work);  // it dissipates as grains of 0.5 do, but for slow contacts
 }
 
 TEST_CASE("where nothing collapses a short contact time changes no statistics") {

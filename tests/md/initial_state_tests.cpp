@@ -4,6 +4,7 @@
 
 #include "md/errors.hpp"
 #include "md/initial_state.hpp"
+#include "small_systems.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -51,6 +52,20 @@ TEST_CASE("a start depends on the seed and on nothing else") {
     CHECK(one.position == same.position);
     CHECK(one.velocity == same.velocity);
     CHECK(one.position != other.position);
+}
+
+TEST_CASE("either seed of a scene changes its start") {
+    const auto start = [](std::uint64_t of_state, std::uint64_t of_engine) {
+        auto scene = small::layer();
+        scene.initial.seed = of_state;
+        scene.md.seed = of_engine;
+        return md::Simulation(scene).snapshot().position;
+    };
+    const auto one = start(1, 1), another_state = start(2, 1), another_engine = start(1, 2);
+    CHECK(start(1, 1) == one);
+    CHECK(another_state != one);
+    CHECK(another_engine != one);
+    CHECK(another_state != another_engine);
 }
 
 TEST_CASE("particles that cannot fit are refused") {
