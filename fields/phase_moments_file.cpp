@@ -89,6 +89,8 @@ PhaseMoments PhaseMoments::read(const files::Hdf5File& file, const std::string& 
         throw files::Damaged(fmt::format("{}/odd_sums: not of the shape of {}/sums", group, group));
     result.second_sums_ = file.read<double>(group + "/odd_sums");
     result.second_samples_ = file.read<std::int64_t>(group + "/odd_samples");
+    if (!std::all_of(result.second_sums_.begin(), result.second_sums_.end(), [](double x) { return std::isfinite(x); }))
+        throw files::Damaged(fmt::format("{}/odd_sums: holds what is not a number", group));
     return result;
 }
 
