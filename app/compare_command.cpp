@@ -17,9 +17,12 @@
 #include "app/start_keys.hpp"
 #include "compare/compare_file.hpp"
 #include "compare/independence.hpp"
+#include "compare/layout.hpp"
 #include "compare/medium.hpp"
 #include "compare/summary.hpp"
 #include "compare/validity.hpp"
+#include "fields/height_maps.hpp"
+#include "fields/period.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "scene/read_scene.hpp"
@@ -126,9 +129,23 @@ std::string what_both_engines_share(scene::Scene scene) {
     return scene::print_scene(scene);
 }
 
-fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle) {
-    const fields::PhaseMoments moments = fields::PhaseMoments::read(file, "/profiles");
-    return first_cycle ? moments.first_cycle() : moments;
+/// The averages of a run, the higher of two cycles first, and what is found of its period beside that of the runs
+/// before. A single cycle has no period to ask for.
+fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle, const scene::Scene& scene,
+                                compare::Periods& found) {
+    fields::PhaseMoments moments = fields::PhaseMoments::read(file, "/profiles");
+    if (first_cycle) {
+        found.of_runs.emplace_back();
+        return moments.first_cycle();
+    }
+    found.of_runs.push_back(fields::period_of(moments.centre_of_mass(), moments.phases()));
+    found.keeps_flows_apart = found.keeps_flows_apart && moments.keeps_flows_apart();
+    if (file.has("/height_maps"))
+        found.opposite_share =
+            std::max(found.opposite_share,
+                     fields::opposite_share(fields::HeightMaps::read(file, "/height_maps"), scene.sample.settle));
+    if (fields::odd_cycles_are_higher(moments.centre_of_mass(), moments.phases())) moments.exchange_flows();
+    return moments;
 }
 
 /// Each once, whatever the number of runs it holds for.
@@ -140,6 +157,12 @@ Notes notes_of_starts(const std::vector<compare::AveragedRun>& runs) {
     return notes;
 }
 
+void add_period(nlohmann::ordered_json& engine, const std::string& name, const compare::Periods& found,
+                const compare::Layout& layout) {
+    if (found.opposite_share > 0.0) engine["opposite_share"] = found.opposite_share;
+    for (const std::string& note : compare::notes_of_period(name, found, layout)) engine["notes"].push_back(note);
+}
+
 void print_number(const nlohmann::ordered_json& of, const std::string& name, const std::string& key) {
     const auto text = [](const nlohmann::ordered_json& value) {
         return value.is_number() ? fmt::format("{:.4g}", value.get<double>()) : std::string("-");
@@ -149,13 +172,23 @@ void print_number(const nlohmann::ordered_json& of, const std::string& name, con
                error != of.end() && error->is_number() ? fmt::format(" +- {:.2g}", error->get<double>()) : "");
 }
 
+void print_shock(const nlohmann::ordered_json& shock) {
+    print_number(shock, "shock forms at ft", "formation_phase");
+    print_number(shock, "shock leaves the layer at ft", "leaving_phase");
+    print_number(shock, "mean shock speed, sqrt(g sigma)", "mean_speed");
+}
+
 void print_summary(const nlohmann::ordered_json& summary) {
     for (const char* engine : {"md", "continuum"}) {
         const auto& numbers = summary.at(engine);
-        fmt::print("{}\n", engine);
-        print_number(numbers.at("shock"), "shock forms at ft", "formation_phase");
-        print_number(numbers.at("shock"), "shock leaves the layer at ft", "leaving_phase");
-        print_number(numbers.at("shock"), "mean shock speed, sqrt(g sigma)", "mean_speed");
+        const auto& period = numbers.at("period");
+        fmt::print("{}\n  period: {}\n", engine,
+                   compare::in_words(period.is_null() ? std::nullopt : std::optional(period.get<int>())));
+        print_shock(numbers.at("shock"));
+        if (numbers.contains("second_cycle")) {
+            fmt::print("  in the second cycle\n");
+            print_shock(numbers.at("second_cycle").at("shock"));
+        }
         print_number(numbers, "largest Mach number", "max_mach");
         print_number(numbers, "shock width over mean free path, ft = 0.22", "width_over_mean_free_path");
         print_number(numbers, "CPU seconds", "cpu_seconds");
@@ -186,6 +219,7 @@ int run_compare(const CompareOptions& options) {
     std::optional<fields::PhaseMoments> md_moments;
     std::vector<compare::AveragedRun> runs;
     CostOfRuns md_cost;
+    compare::Periods md_periods, continuum_periods;
     for (const std::filesystem::path& md_folder : md_folders) {
         const files::Hdf5File file = open_output(md_folder, "md");
         const scene::Scene own = scene_of(file, md_folder / "md.h5");
@@ -195,7 +229,7 @@ int run_compare(const CompareOptions& options) {
                             (md_folder / "md.h5").string(), (continuum_folder / "continuum.h5").string()));
         }
         try {
-            const fields::PhaseMoments moments = moments_of(file, options.first_cycle);
+            const fields::PhaseMoments moments = moments_of(file, options.first_cycle, own, md_periods);
             runs.push_back({md_folder / "md.h5", own, moments.centre_of_mass()});
             if (md_moments) {
                 md_moments->append(moments);
@@ -209,8 +243,11 @@ int run_compare(const CompareOptions& options) {
     }
     compare::refuse_dependent(runs);
     const compare::Medium medium = compare::medium_of(scene);
-    const auto md = compare::measure(*md_moments, scene.motion, medium);
-    const auto continuum = compare::measure(moments_of(continuum_file, options.first_cycle), scene.motion, medium);
+    const fields::PhaseMoments continuum_moments =
+        moments_of(continuum_file, options.first_cycle, scene, continuum_periods);
+    const compare::Layouts layouts = compare::layouts_of(md_periods, continuum_periods);
+    const auto md = compare::measure(*md_moments, scene.motion, medium, layouts.md);
+    const auto continuum = compare::measure(continuum_moments, scene.motion, medium, layouts.continuum);
     std::filesystem::create_directories(folder);
     const std::filesystem::path aside = folder / "compare.h5.part";
     compare::write_compare_file(aside, md, continuum, medium,
@@ -220,6 +257,8 @@ int run_compare(const CompareOptions& options) {
     summary["md"]["notes"] = notes_of_starts(runs);
     summary["continuum"]["validity"] = validity_of(continuum_file);
     summary["continuum"]["notes"] = notes_of(continuum_file);
+    add_period(summary["md"], "The MD", md_periods, layouts.md);
+    add_period(summary["continuum"], "The continuum", continuum_periods, layouts.continuum);
     for (const std::filesystem::path& md_folder : md_folders)
         summary["runs"]["md"].push_back(std::filesystem::absolute(md_folder).lexically_normal().string());
     summary["runs"]["continuum"] = std::filesystem::absolute(continuum_folder).lexically_normal().string();

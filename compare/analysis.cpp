@@ -3,28 +3,54 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 
 #include "compare/jackknife.hpp"
 
 namespace shaken::compare {
 
+bool Analysis::follows(std::int64_t phase) const {
+    const auto count = static_cast<std::int64_t>(measures.size());
+    const auto does = [&](const auto& shock) { return shock && shock->follows(phase, count); };
+    return does(history) || does(second_history);
+}
+
+bool Analysis::follows_fully_formed(std::int64_t phase) const {
+    const auto count = static_cast<std::int64_t>(measures.size());
+    const auto does = [&](const auto& shock) {
+        return shock && !std::isnan(shock->fully_formed_phase) && shock->follows_fully_formed(phase, count);
+    };
+    return does(history) || does(second_history);
+}
+
 Analysis analyse(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium,
-                 std::optional<std::int64_t> left_out_block) {
+                 const Layout& layout, std::optional<std::int64_t> left_out_block) {
     Analysis analysis;
-    for (std::int64_t phase = 0; phase < moments.phases(); ++phase) {
-        analysis.profiles.push_back(moments.profile(phase, motion, left_out_block));
-        analysis.measures.push_back(measure_phase(analysis.profiles.back(), medium));
-        analysis.centre_of_mass.push_back(moments.mean_centre_of_mass(phase, left_out_block).first);
+    for (std::int64_t cycle = 0; cycle < layout.cycles; ++cycle) {
+        const fields::Flow flow = !layout.apart ? fields::Flow::both
+                                  : cycle == 0  ? fields::Flow::first
+                                                : fields::Flow::second;
+        for (std::int64_t phase = 0; phase < moments.phases(); ++phase) {
+            fields::Profile profile = moments.profile(phase, motion, left_out_block, flow);
+            profile.phase += static_cast<double>(cycle);
+            analysis.measures.push_back(measure_phase(profile, medium));
+            analysis.profiles.push_back(std::move(profile));
+            analysis.centre_of_mass.push_back(moments.mean_centre_of_mass(phase, left_out_block, flow).first);
+        }
     }
-    analysis.history = follow_shock(analysis.measures, motion.frequency);
+    analysis.history = follow_shock(analysis.measures, motion.frequency, layout.cycles, 0);
+    if (layout.cycles > 1)
+        analysis.second_history = follow_shock(analysis.measures, motion.frequency, layout.cycles, 1);
     return analysis;
 }
 
-Measured measure(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium) {
-    Measured measured{analyse(moments, motion, medium), {}};
+Measured measure(const fields::PhaseMoments& given, const scene::PlateMotion& motion, const Medium& medium,
+                 const Layout& layout) {
+    const fields::PhaseMoments moments = layout.apart ? given.in_whole_periods() : given;
+    Measured measured{analyse(moments, motion, medium, layout), {}, layout};
     if (moments.blocks() < 2) return measured;
     for (std::int64_t block = 0; block < moments.blocks(); ++block) {
-        measured.without_block.push_back(analyse(moments, motion, medium, block));
+        measured.without_block.push_back(analyse(moments, motion, medium, layout, block));
     }
     return measured;
 }
@@ -48,8 +74,9 @@ std::vector<double> at_equal_phases(const std::vector<double>& values, std::int6
     return picked;
 }
 
-std::size_t nearest_phase(double phase, std::size_t phases) {
-    return static_cast<std::size_t>(std::lround(phase * static_cast<double>(phases))) % phases;
+std::size_t nearest_phase(double phase, std::size_t phases, std::int64_t cycles) {
+    return static_cast<std::size_t>(std::lround(phase * static_cast<double>(phases) / static_cast<double>(cycles))) %
+           phases;
 }
 
 }  // namespace shaken::compare

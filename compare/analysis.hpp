@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Everything that is measured of one engine's run: profiles, layer, shock and Mach number at every phase, the shock's
 // history, the centre of mass; and the same with each block of cycles left out, from which standard errors follow.
+// A layer of period two has two cycles, each averaged apart, and phases 0 <= ft < 2.
 #pragma once
 
 #include <cstdint>
@@ -8,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "compare/layout.hpp"
 #include "compare/mach.hpp"
 #include "compare/shock_history.hpp"
 #include "fields/phase_moments.hpp"
@@ -15,16 +17,20 @@
 
 namespace shaken::compare {
 
-/// One cycle, averaged over cycles. All vectors have one entry a phase.
+/// One cycle, averaged over cycles, or two. All vectors have one entry a phase.
 struct Analysis {
     std::vector<fields::Profile> profiles;
     std::vector<PhaseMeasures> measures;
-    std::vector<double> centre_of_mass;  // lab frame, sigma
-    std::optional<ShockHistory> history;
+    std::vector<double> centre_of_mass;                   // lab frame, sigma
+    std::optional<ShockHistory> history, second_history;  // of the shock that forms in either cycle
+
+    /// Whether the phase with this index lies in the life of a shock.
+    bool follows(std::int64_t phase) const;
+    bool follows_fully_formed(std::int64_t phase) const;
 };
 
 Analysis analyse(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium,
-                 std::optional<std::int64_t> left_out_block = std::nullopt);
+                 const Layout& layout = {}, std::optional<std::int64_t> left_out_block = std::nullopt);
 
 /// A number and its standard error, NaN where unknown.
 struct Estimate {
@@ -35,17 +41,20 @@ struct Estimate {
 struct Measured {
     Analysis all;
     std::vector<Analysis> without_block;  // one for each block of cycles; empty if there is one block only
+    Layout layout = {};
 
     /// Any number that an analysis gives, with its jackknife error.
     Estimate estimate(const std::function<double(const Analysis&)>& number) const;
 };
 
-Measured measure(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium);
+/// Blocks of single cycles are taken in pairs where cycles are averaged apart.
+Measured measure(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium,
+                 const Layout& layout = {});
 
-/// Values given at equal phases of a cycle, at `wanted` equal phases: picked where they coincide, linear between.
+/// Values given at equal phases of a period, at `wanted` equal phases: picked where they coincide, linear between.
 std::vector<double> at_equal_phases(const std::vector<double>& values, std::int64_t wanted);
 
-/// Index of the phase nearest to ft, among `phases` equal ones.
-std::size_t nearest_phase(double phase, std::size_t phases);
+/// Index of the phase nearest to ft, among `phases` equal ones over so many cycles.
+std::size_t nearest_phase(double phase, std::size_t phases, std::int64_t cycles = 1);
 
 }  // namespace shaken::compare

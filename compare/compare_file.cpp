@@ -122,20 +122,22 @@ void write_measures(const EngineGroup& group) {
 }
 
 /// The phases between which the shock was followed, NaN where there was none.
-void write_history(files::Hdf5File& file, const std::string& group, const Analysis& analysis) {
-    const auto number = [&](double ShockHistory::*member) {
-        return analysis.history ? (*analysis.history).*member : std::nan("");
-    };
-    file.write(group + "/shock/formation_phase", number(&ShockHistory::formation_phase));
-    file.write(group + "/shock/fully_formed_phase", number(&ShockHistory::fully_formed_phase));
-    file.write(group + "/shock/fully_formed_speed", number(&ShockHistory::fully_formed_speed));
-    file.write(group + "/shock/fitted_speed", number(&ShockHistory::fitted_speed));
-    file.write(group + "/shock/leaving_phase", number(&ShockHistory::leaving_phase));
-    file.write(group + "/shock/mean_speed", number(&ShockHistory::mean_speed));
-    const auto count = static_cast<std::int64_t>(analysis.measures.size());
+void write_history(files::Hdf5File& file, const std::string& group, const std::optional<ShockHistory>& history) {
+    const auto number = [&](double ShockHistory::*member) { return history ? (*history).*member : std::nan(""); };
+    file.write(group + "/formation_phase", number(&ShockHistory::formation_phase));
+    file.write(group + "/fully_formed_phase", number(&ShockHistory::fully_formed_phase));
+    file.write(group + "/fully_formed_speed", number(&ShockHistory::fully_formed_speed));
+    file.write(group + "/fitted_speed", number(&ShockHistory::fitted_speed));
+    file.write(group + "/leaving_phase", number(&ShockHistory::leaving_phase));
+    file.write(group + "/mean_speed", number(&ShockHistory::mean_speed));
+}
+
+void write_histories(files::Hdf5File& file, const std::string& group, const Measured& measured) {
+    write_history(file, group + "/shock", measured.all.history);
+    if (measured.layout.cycles > 1) write_history(file, group + "/shock/second_cycle", measured.all.second_history);
     std::vector<std::int64_t> followed;
-    for (std::int64_t p = 0; p < count; ++p)
-        followed.push_back(analysis.history && analysis.history->follows(p, count));
+    for (std::size_t p = 0; p < measured.all.measures.size(); ++p)
+        followed.push_back(measured.all.follows(static_cast<std::int64_t>(p)) ? 1 : 0);
     file.write(group + "/shock/followed", followed);
 }
 
@@ -162,7 +164,8 @@ void write_engine(files::Hdf5File& file, const std::string& name, const Measured
     const EngineGroup group(file, name, measured);
     write_profiles(group, medium);
     write_measures(group);
-    write_history(file, name, measured.all);
+    write_histories(file, name, measured);
+    file.attribute(name, "period", static_cast<std::int64_t>(measured.layout.period.value_or(0)));
 }
 
 }  // namespace
@@ -179,6 +182,7 @@ void write_compare_file(const std::filesystem::path& path, const Measured& md, c
     files::Hdf5File file(path, files::Open::create);
     files::write_provenance(file, provenance);
     write_axes(file, md.all);
+    file.attribute("/phase", "period", md.layout.cycles);
     write_engine(file, "/md", md, medium);
     write_engine(file, "/continuum", continuum, medium);
     file.close();

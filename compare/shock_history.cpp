@@ -38,13 +38,19 @@ class Slope {
     double count_ = 0.0, x_ = 0.0, y_ = 0.0, xx_ = 0.0, xy_ = 0.0;
 };
 
-/// The longest circular run of true values, gaps up to `gap` bridged; empty where none is true.
-std::optional<Run> longest_run(const std::vector<bool>& is_set, std::int64_t gap) {
+/// The longest circular run of true values that begins in [from, to), gaps up to `gap` bridged; empty where there is
+/// none. Where that is not the whole round, a run that comes in from before is not counted.
+std::optional<Run> longest_run(const std::vector<bool>& is_set, std::int64_t gap, std::int64_t from, std::int64_t to) {
     const auto count = static_cast<std::int64_t>(is_set.size());
-    const auto at = [&](std::int64_t i) { return is_set[static_cast<std::size_t>(i % count)]; };
+    const auto at = [&](std::int64_t i) { return is_set[static_cast<std::size_t>((i + count) % count)]; };
+    const auto comes_in = [&](std::int64_t start) {
+        for (std::int64_t before = start - gap - 1; before < start; ++before)
+            if (at(before)) return true;
+        return false;
+    };
     std::optional<Run> best;
-    for (std::int64_t start = 0; start < count; ++start) {
-        if (!at(start)) continue;
+    for (std::int64_t start = from; start < to; ++start) {
+        if (!at(start) || (to - from < count && comes_in(start))) continue;
         Run run{start, start};
         for (std::int64_t i = start + 1; i < start + count && i - run.last <= gap + 1; ++i) {
             if (at(i)) run.last = i;
@@ -67,24 +73,25 @@ PhaseMeasures measure_phase(const fields::Profile& profile, const Medium& medium
     return measures;
 }
 
-std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency) {
-    const auto count = static_cast<std::int64_t>(cycle.size());
-    const double step = 1.0 / static_cast<double>(count);
-    const auto gap = static_cast<std::int64_t>(std::floor(longest_gap * static_cast<double>(count)));
+std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& phases, double frequency,
+                                         std::int64_t cycles, std::int64_t in_cycle) {
+    const auto count = static_cast<std::int64_t>(phases.size()), a_cycle = count / cycles;
+    const double step = 1.0 / static_cast<double>(a_cycle);
+    const auto gap = static_cast<std::int64_t>(std::floor(longest_gap * static_cast<double>(a_cycle)));
     const auto at = [&](std::int64_t i) -> const PhaseMeasures& {
-        return cycle[static_cast<std::size_t>(((i % count) + count) % count)];
+        return phases[static_cast<std::size_t>(((i % count) + count) % count)];
     };
 
-    std::vector<bool> inside(cycle.size());
-    std::transform(cycle.begin(), cycle.end(), inside.begin(),
+    std::vector<bool> inside(phases.size());
+    std::transform(phases.begin(), phases.end(), inside.begin(),
                    [](const PhaseMeasures& m) { return m.shock && m.shock->inside_layer; });
-    std::optional<Run> run = longest_run(inside, gap);
+    std::optional<Run> run = longest_run(inside, gap, in_cycle * a_cycle, (in_cycle + 1) * a_cycle);
     const auto is_inside = [&](std::int64_t i) { return at(i).shock && at(i).shock->inside_layer; };
     while (run && run->length() > 1 && !is_inside(run->first + 1)) {
         do ++run->first;
         while (!is_inside(run->first));
     }
-    if (!run || static_cast<double>(run->length()) < shortest_run * static_cast<double>(count)) return std::nullopt;
+    if (!run || static_cast<double>(run->length()) < shortest_run * static_cast<double>(a_cycle)) return std::nullopt;
 
     ShockHistory history;
     history.first = run->first;

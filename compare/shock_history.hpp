@@ -25,7 +25,7 @@ struct PhaseMeasures {
 PhaseMeasures measure_phase(const fields::Profile& profile, const Medium& medium, const ShockCriteria& criteria = {});
 
 struct ShockHistory {
-    std::int64_t first = 0, last = 0;     // phase indices; last may exceed the number of phases by less than one cycle
+    std::int64_t first = 0, last = 0;     // phase indices; last may exceed their number by less than once round
     std::int64_t first_fully_formed = 0;  // phase index, as the two above
     double formation_phase = 0.0;         // first phase with a shock inside the layer; resolved to one phase
     double leaving_phase = 0.0;           // its location passes the layer's upper edge; interpolated between phases
@@ -56,11 +56,13 @@ struct ShockHistory {
     }
 };
 
-/// Follows the longest run of phases with a shock, circularly: a cycle has no preferred start. Gaps up to a hundredth
-/// of a cycle are bridged, since noise may hide a shock at one phase, or outdo it elsewhere: a location further from
-/// the last one than the fastest wave could have gone is passed over. Frequency in sqrt(g/sigma). None where no run of
-/// at least 3 % of a cycle lies inside the layer. leaving_phase may exceed 1; it is NaN, and so are the speeds, where
-/// the location never passes the upper edge.
-std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& cycle, double frequency);
+/// Follows the longest run of phases with a shock, circularly: a cycle has no preferred start. Where `phases` span
+/// `cycles` of them, the longest that begins in cycle `in_cycle`; phases ft then count from the first. Gaps up to a
+/// hundredth of a cycle are bridged, since noise may hide a shock at one phase, or outdo it elsewhere: a location
+/// further from the last one than the fastest wave could have gone is passed over. Frequency in sqrt(g/sigma). None
+/// where no run of at least 3 % of a cycle lies inside the layer. leaving_phase may exceed the number of cycles; it is
+/// NaN, and so are the speeds, where the location never passes the upper edge.
+std::optional<ShockHistory> follow_shock(const std::vector<PhaseMeasures>& phases, double frequency,
+                                         std::int64_t cycles = 1, std::int64_t in_cycle = 0);
 
 }  // namespace shaken::compare

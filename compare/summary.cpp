@@ -27,14 +27,17 @@ void put(Json& object, const std::string& key, const Estimate& estimate, bool wi
     if (with_error) object[key + "_error"] = finite_or_null(estimate.error);
 }
 
-Number of_history(double ShockHistory::*member) {
-    return [member](const Analysis& a) { return a.history ? (*a.history).*member : std::nan(""); };
+Number of_history(std::int64_t cycle, double ShockHistory::*member) {
+    return [cycle, member](const Analysis& a) {
+        const std::optional<ShockHistory>& history = cycle == 0 ? a.history : a.second_history;
+        return history ? (*history).*member : std::nan("");
+    };
 }
 
-/// A number of the shock at the phase nearest to ft.
-Number of_shock_at(double phase, const std::function<double(const Shock&)>& number) {
-    return [phase, number](const Analysis& a) {
-        const std::optional<Shock>& shock = a.measures[nearest_phase(phase, a.measures.size())].shock;
+/// A number of the shock at the phase nearest to ft, of so many cycles.
+Number of_shock_at(double phase, std::int64_t cycles, const std::function<double(const Shock&)>& number) {
+    return [phase, cycles, number](const Analysis& a) {
+        const std::optional<Shock>& shock = a.measures[nearest_phase(phase, a.measures.size(), cycles)].shock;
         return shock ? number(*shock) : std::nan("");
     };
 }
@@ -45,27 +48,23 @@ Estimate with_resolution(Estimate estimate, double step) {
     return estimate;
 }
 
-Json centre_of_mass_errors(const Measured& measured) {
+Json centre_of_mass_errors(const Measured& measured, std::int64_t phases) {
     Json errors = Json::array();
-    for (std::int64_t k = 0; k < compared_phases; ++k) {
-        errors.push_back(finite_or_null(measured
-                                            .estimate([k](const Analysis& a) {
-                                                return at_equal_phases(a.centre_of_mass,
-                                                                       compared_phases)[static_cast<std::size_t>(k)];
-                                            })
-                                            .error));
+    for (std::int64_t k = 0; k < phases; ++k) {
+        const auto height = [k, phases](const Analysis& a) {
+            return at_equal_phases(a.centre_of_mass, phases)[static_cast<std::size_t>(k)];
+        };
+        errors.push_back(finite_or_null(measured.estimate(height).error));
     }
     return errors;
 }
 
-Json engine(const Measured& measured, bool with_error) {
-    const double step = 1.0 / static_cast<double>(measured.all.measures.size());
-    Json out;
-    out["zcm"] = at_equal_phases(measured.all.centre_of_mass, compared_phases);
-    if (with_error) out["zcm_error"] = centre_of_mass_errors(measured);
-
+/// What the shock that forms in a cycle is like.
+void put_shock(Json& out, const Measured& measured, std::int64_t cycle, bool with_error) {
+    const std::int64_t cycles = measured.layout.cycles;
+    const double step = static_cast<double>(cycles) / static_cast<double>(measured.all.measures.size());
     Json& shock = out["shock"];
-    const auto history = [&](double ShockHistory::*member) { return measured.estimate(of_history(member)); };
+    const auto history = [&](double ShockHistory::*member) { return measured.estimate(of_history(cycle, member)); };
     put(shock, "formation_phase", with_resolution(history(&ShockHistory::formation_phase), step), with_error);
     put(shock, "fully_formed_phase", with_resolution(history(&ShockHistory::fully_formed_phase), step), with_error);
     put(shock, "leaving_phase", history(&ShockHistory::leaving_phase), with_error);
@@ -75,7 +74,7 @@ Json engine(const Measured& measured, bool with_error) {
 
     put(out, "max_mach", history(&ShockHistory::approach_mach), with_error);
     const auto at_profile_phase = [&](const std::function<double(const Shock&)>& number) {
-        return measured.estimate(of_shock_at(profile_phase, number));
+        return measured.estimate(of_shock_at(static_cast<double>(cycle) + profile_phase, cycles, number));
     };
     put(out, "width_over_mean_free_path", at_profile_phase([](const Shock& s) { return s.width() / s.mean_free_path; }),
         with_error);
@@ -86,6 +85,16 @@ Json engine(const Measured& measured, bool with_error) {
     put(out, "shock_slope_width", at_profile_phase([](const Shock& s) { return s.slope_width(); }), with_error);
     put(out, "shock_width", at_profile_phase([](const Shock& s) { return s.width(); }), with_error);
     put(out, "shock_mach", at_profile_phase([](const Shock& s) { return s.mach_above; }), with_error);
+}
+
+Json engine(const Measured& measured, bool with_error) {
+    const std::int64_t phases = compared_phases * measured.layout.cycles;
+    Json out;
+    out["period"] = measured.layout.period ? Json(*measured.layout.period) : Json(nullptr);
+    out["zcm"] = at_equal_phases(measured.all.centre_of_mass, phases);
+    if (with_error) out["zcm_error"] = centre_of_mass_errors(measured, phases);
+    put_shock(out, measured, 0, with_error);
+    if (measured.layout.cycles > 1) put_shock(out["second_cycle"], measured, 1, with_error);
     return out;
 }
 
@@ -97,29 +106,28 @@ Estimate of_both(const Measured& md, const Analysis& continuum,
 
 }  // namespace
 
-double centre_of_mass_rms_percent(const std::vector<double>& continuum, const std::vector<double>& md, double lift) {
-    const std::vector<double> ours = at_equal_phases(continuum, compared_phases);
-    const std::vector<double> theirs = at_equal_phases(md, compared_phases);
+double centre_of_mass_rms_percent(const std::vector<double>& continuum, const std::vector<double>& md, double lift,
+                                  std::int64_t cycles) {
+    const std::vector<double> ours = at_equal_phases(continuum, compared_phases * cycles);
+    const std::vector<double> theirs = at_equal_phases(md, compared_phases * cycles);
     double squares = 0.0;
     for (std::size_t k = 0; k < ours.size(); ++k) {
         const double relative = (ours[k] + lift - theirs[k]) / theirs[k];
         squares += relative * relative;
     }
-    return 100.0 * std::sqrt(squares / static_cast<double>(compared_phases));
+    return 100.0 * std::sqrt(squares / static_cast<double>(ours.size()));
 }
 
 double shock_location_rms(const Analysis& continuum, const Analysis& md, double lift, Life life) {
-    if (!continuum.history || !md.history || continuum.measures.size() != md.measures.size()) return std::nan("");
-    const auto count = static_cast<std::int64_t>(md.measures.size());
-    const auto is_counted = [&](const ShockHistory& history, std::int64_t phase) {
-        if (life == Life::formation_to_leaving) return history.follows(phase, count);
-        return !std::isnan(history.fully_formed_phase) && history.follows_fully_formed(phase, count);
+    if (continuum.measures.size() != md.measures.size()) return std::nan("");
+    const auto is_counted = [&](const Analysis& a, std::int64_t phase) {
+        return life == Life::formation_to_leaving ? a.follows(phase) : a.follows_fully_formed(phase);
     };
     double squares = 0.0;
     std::int64_t phases = 0;
-    for (std::int64_t i = 0; i < count; ++i) {
+    for (std::int64_t i = 0; i < static_cast<std::int64_t>(md.measures.size()); ++i) {
         const auto k = static_cast<std::size_t>(i);
-        if (!is_counted(*md.history, i) || !is_counted(*continuum.history, i)) continue;
+        if (!is_counted(md, i) || !is_counted(continuum, i)) continue;
         if (!md.measures[k].shock || !continuum.measures[k].shock) continue;
         const double difference = continuum.measures[k].shock->location + lift - md.measures[k].shock->location;
         squares += difference * difference;
@@ -175,9 +183,9 @@ nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, 
     continuum_out["wall_seconds"] = value_or_null(continuum_cost.wall_seconds);
     continuum_out["cpu_seconds"] = value_or_null(continuum_cost.cpu_seconds);
 
-    const auto rms_percent = [](double lift) {
-        return [lift](const Analysis& c, const Analysis& m) {
-            return centre_of_mass_rms_percent(c.centre_of_mass, m.centre_of_mass, lift);
+    const auto rms_percent = [cycles = md.layout.cycles](double lift) {
+        return [lift, cycles](const Analysis& c, const Analysis& m) {
+            return centre_of_mass_rms_percent(c.centre_of_mass, m.centre_of_mass, lift, cycles);
         };
     };
     put(out, "zcm_rms_percent", of_both(md, continuum.all, rms_percent(0.0)), true);

@@ -21,14 +21,14 @@ struct Cost {
     std::optional<double> steps_per_cycle = {};  // continuum
 };
 
-/// The phases at which z_cm is compared.
+/// The phases of a cycle at which z_cm is compared.
 inline constexpr std::int64_t compared_phases = 20;
 
-/// Root mean square of (continuum - MD)/MD over compared_phases equal phases, in percent. Noise of MD adds the mean
-/// square of its relative standard errors to the square of this. `lift` is added to the continuum's heights (half a
-/// diameter, where its floor is taken to be the lowest plane of centres).
+/// Root mean square of (continuum - MD)/MD over compared_phases equal phases a cycle, in percent. Noise of MD adds the
+/// mean square of its relative standard errors to the square of this. `lift` is added to the continuum's heights (half
+/// a diameter, where its floor is taken to be the lowest plane of centres).
 double centre_of_mass_rms_percent(const std::vector<double>& continuum, const std::vector<double>& md,
-                                  double lift = 0.0);
+                                  double lift = 0.0, std::int64_t cycles = 1);
 
 /// Which part of a shock's life is compared.
 enum class Life { formation_to_leaving, fully_formed_to_leaving };

@@ -8,8 +8,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "files/errors.hpp"
-
 namespace shaken::fields {
 
 namespace {
@@ -17,6 +15,7 @@ namespace {
 enum Moment : std::size_t { mass, momentum_x, momentum_y, momentum_z, second_xx, second_yy, second_zz };
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr double round_off = 1e-12;
 
 /// Samples over degrees of freedom, of a mean taken from the samples themselves.
 double freedom_lost_to_the_mean(Deposits deposits, double mass) {
@@ -36,6 +35,9 @@ PhaseMoments::PhaseMoments(Deposits deposits, std::int64_t phases, Bins bins, do
     sums_.resize(static_cast<std::size_t>(blocks * phases * bins.count) * moments);
     samples_.resize(static_cast<std::size_t>(blocks * phases));
     centre_of_mass_.assign(static_cast<std::size_t>(cycles * phases), unknown);
+    for (std::int64_t cycle = 0; cycle < cycles; ++cycle) is_second_.push_back(cycle % 2 != 0);
+    second_sums_.resize(sums_.size());
+    second_samples_.resize(samples_.size());
 }
 
 std::size_t PhaseMoments::offset(std::int64_t block, std::int64_t phase, std::int64_t bin) const {
@@ -48,18 +50,32 @@ void PhaseMoments::begin_sample(std::int64_t cycle, std::int64_t phase) {
     }
     cycle_ = cycle;
     phase_ = phase;
-    ++samples_[static_cast<std::size_t>(block_of(cycle) * phases_ + phase)];
+    const auto sample = static_cast<std::size_t>(block_of(cycle) * phases_ + phase);
+    ++samples_[sample];
+    if (keeps_flows_apart() && is_of(Flow::second, cycle)) ++second_samples_[sample];
+}
+
+bool PhaseMoments::is_of(Flow flow, std::int64_t cycle) const {
+    return flow == Flow::both || is_second_[static_cast<std::size_t>(cycle)] == (flow == Flow::second);
+}
+
+void PhaseMoments::deposit(std::int64_t bin, const std::array<double, moments>& amounts) {
+    const std::size_t first = offset(block_of(cycle_), phase_, bin);
+    for (std::size_t k = 0; k < moments; ++k) sums_[first + k] += amounts[k];
+    if (!keeps_flows_apart() || !is_of(Flow::second, cycle_)) return;
+    for (std::size_t k = 0; k < moments; ++k) second_sums_[first + k] += amounts[k];
 }
 
 void PhaseMoments::add_particle(double height_above_plate, const std::array<double, 3>& velocity) {
     const std::int64_t bin = bins_.index(height_above_plate);
     if (!bins_.contains(bin)) return;
-    double* sum = &sums_[offset(block_of(cycle_), phase_, bin)];
-    sum[mass] += 1.0;
+    std::array<double, moments> amounts{};
+    amounts[mass] = 1.0;
     for (std::size_t d = 0; d < 3; ++d) {
-        sum[momentum_x + d] += velocity[d];
-        sum[second_xx + d] += velocity[d] * velocity[d];
+        amounts[momentum_x + d] = velocity[d];
+        amounts[second_xx + d] = velocity[d] * velocity[d];
     }
+    deposit(bin, amounts);
 }
 
 void PhaseMoments::add_slab(double lower, double upper, double density, const std::array<double, 3>& velocity,
@@ -70,12 +86,13 @@ void PhaseMoments::add_slab(double lower, double upper, double density, const st
         const double overlap = std::min(upper, bins_.edge(bin + 1)) - std::max(lower, bins_.edge(bin));
         if (overlap <= 0.0) continue;
         const double slab_mass = density * overlap * area_ * area_share;
-        double* sum = &sums_[offset(block_of(cycle_), phase_, bin)];
-        sum[mass] += slab_mass;
+        std::array<double, moments> amounts{};
+        amounts[mass] = slab_mass;
         for (std::size_t d = 0; d < 3; ++d) {
-            sum[momentum_x + d] += slab_mass * velocity[d];
-            sum[second_xx + d] += slab_mass * (velocity[d] * velocity[d] + temperature);
+            amounts[momentum_x + d] = slab_mass * velocity[d];
+            amounts[second_xx + d] = slab_mass * (velocity[d] * velocity[d] + temperature);
         }
+        deposit(bin, amounts);
     }
 }
 
@@ -83,16 +100,40 @@ void PhaseMoments::set_centre_of_mass(double height_lab) {
     centre_of_mass_[static_cast<std::size_t>(cycle_ * phases_ + phase_)] = height_lab;
 }
 
+void PhaseMoments::expect_apart(Flow flow) const {
+    if (flow != Flow::both && !keeps_flows_apart())
+        throw std::invalid_argument("PhaseMoments: even and odd cycles were not kept apart");
+}
+
+std::int64_t PhaseMoments::add_block(std::vector<double>& total, std::int64_t block, std::int64_t phase,
+                                     Flow flow) const {
+    const std::size_t begin = offset(block, phase, 0), sample = static_cast<std::size_t>(block * phases_ + phase);
+    if (flow == Flow::both) {
+        for (std::size_t i = 0; i < total.size(); ++i) total[i] += sums_[begin + i];
+        return samples_[sample];
+    }
+    if (flow == Flow::second) {
+        for (std::size_t i = 0; i < total.size(); ++i) total[i] += second_sums_[begin + i];
+        return second_samples_[sample];
+    }
+    for (std::size_t bin = 0; bin < total.size(); bin += moments) {
+        const double *all = &sums_[begin + bin], *second = &second_sums_[begin + bin];
+        // Less mass than the round-off of the difference is none.
+        if (all[mass] - second[mass] <= round_off * all[mass]) continue;
+        for (std::size_t k = 0; k < moments; ++k) total[bin + k] += all[k] - second[k];
+    }
+    return samples_[sample] - second_samples_[sample];
+}
+
 Profile PhaseMoments::profile(std::int64_t phase, const scene::PlateMotion& motion,
-                              std::optional<std::int64_t> left_out_block) const {
+                              std::optional<std::int64_t> left_out_block, Flow flow) const {
+    expect_apart(flow);
     const auto count = static_cast<std::size_t>(bins_.count);
     std::vector<double> total(count * moments, 0.0);
     std::int64_t samples = 0;
     for (std::int64_t block = 0; block < blocks_; ++block) {
         if (left_out_block && *left_out_block == block) continue;
-        samples += samples_[static_cast<std::size_t>(block * phases_ + phase)];
-        const double* sum = &sums_[offset(block, phase, 0)];
-        for (std::size_t i = 0; i < total.size(); ++i) total[i] += sum[i];
+        samples += add_block(total, block, phase, flow);
     }
     Profile p;
     p.phase = static_cast<double>(phase) / static_cast<double>(phases_);
@@ -124,11 +165,12 @@ Profile PhaseMoments::profile(std::int64_t phase, const scene::PlateMotion& moti
 }
 
 std::pair<double, double> PhaseMoments::mean_centre_of_mass(std::int64_t phase,
-                                                            std::optional<std::int64_t> left_out_block) const {
+                                                            std::optional<std::int64_t> left_out_block,
+                                                            Flow flow) const {
     std::vector<double> block_sum(static_cast<std::size_t>(blocks_), 0.0), block_count(block_sum);
     for (std::int64_t cycle = 0; cycle < cycles_; ++cycle) {
         const double height = centre_of_mass_[static_cast<std::size_t>(cycle * phases_ + phase)];
-        if (std::isnan(height) || left_out_block == block_of(cycle)) continue;
+        if (std::isnan(height) || left_out_block == block_of(cycle) || !is_of(flow, cycle)) continue;
         block_sum[static_cast<std::size_t>(block_of(cycle))] += height;
         block_count[static_cast<std::size_t>(block_of(cycle))] += 1.0;
     }
@@ -164,8 +206,49 @@ void PhaseMoments::append(const PhaseMoments& other) {
     sums_.insert(sums_.end(), other.sums_.begin(), other.sums_.end());
     samples_.insert(samples_.end(), other.samples_.begin(), other.samples_.end());
     centre_of_mass_.insert(centre_of_mass_.end(), other.centre_of_mass_.begin(), other.centre_of_mass_.end());
+    is_second_.insert(is_second_.end(), other.is_second_.begin(), other.is_second_.end());
+    if (keeps_flows_apart() && other.keeps_flows_apart()) {
+        second_sums_.insert(second_sums_.end(), other.second_sums_.begin(), other.second_sums_.end());
+        second_samples_.insert(second_samples_.end(), other.second_samples_.begin(), other.second_samples_.end());
+    } else {
+        second_sums_.clear();
+        second_samples_.clear();
+    }
     blocks_ += other.blocks_;
     cycles_ += other.cycles_;
+}
+
+void PhaseMoments::exchange_flows() {
+    is_second_.flip();
+    if (!keeps_flows_apart()) return;
+    std::vector<double> first;
+    std::vector<std::int64_t> first_samples;
+    for (std::int64_t block = 0; block < blocks_; ++block) {
+        for (std::int64_t phase = 0; phase < phases_; ++phase) {
+            std::vector<double> sums(static_cast<std::size_t>(bins_.count * moments), 0.0);
+            first_samples.push_back(add_block(sums, block, phase, Flow::first));
+            first.insert(first.end(), sums.begin(), sums.end());
+        }
+    }
+    second_sums_ = std::move(first);
+    second_samples_ = std::move(first_samples);
+}
+
+PhaseMoments PhaseMoments::in_whole_periods() const {
+    if (cycles_ >= 2 * blocks_ || blocks_ == 1) return *this;
+    PhaseMoments joined(deposits_, phases_, bins_, area_, cycles_, (blocks_ + 1) / 2);
+    const auto add = [this, &joined](const auto& from, auto& to) {
+        const std::size_t length = from.size() / static_cast<std::size_t>(blocks_);
+        to.assign(to.empty() || from.empty() ? 0 : length * static_cast<std::size_t>(joined.blocks_), 0);
+        for (std::size_t i = 0; i < from.size(); ++i) to[i / length / 2 * length + i % length] += from[i];
+    };
+    add(sums_, joined.sums_);
+    add(samples_, joined.samples_);
+    add(second_sums_, joined.second_sums_);
+    add(second_samples_, joined.second_samples_);
+    joined.centre_of_mass_ = centre_of_mass_;
+    joined.is_second_ = is_second_;
+    return joined;
 }
 
 PhaseMoments PhaseMoments::first_cycle() const {
@@ -186,51 +269,7 @@ PhaseMoments PhaseMoments::first_cycle() const {
             break;
         }
     }
-    return first;
-}
-
-void PhaseMoments::save(files::CheckpointWriter& out, const std::string& prefix) const {
-    out.put(prefix + "sums", sums_);
-    out.put(prefix + "samples", samples_);
-    out.put(prefix + "centre_of_mass", centre_of_mass_);
-}
-
-void PhaseMoments::restore(const files::CheckpointReader& in, const std::string& prefix) {
-    in.take_into(prefix + "sums", std::span(sums_));
-    in.take_into(prefix + "samples", std::span(samples_));
-    in.take_into(prefix + "centre_of_mass", std::span(centre_of_mass_));
-}
-
-void PhaseMoments::write(files::Hdf5File& file, const std::string& group) const {
-    const auto u = [](std::int64_t n) { return static_cast<std::uint64_t>(n); };
-    file.write<double>(group + "/sums", sums_, {u(blocks_), u(phases_), u(bins_.count), moments});
-    file.write<std::int64_t>(group + "/samples", samples_, {u(blocks_), u(phases_)});
-    file.write<double>(group + "/centre_of_mass", centre_of_mass_, {u(cycles_), u(phases_)});
-    file.write(group + "/bin_lower", bins_.lower);
-    file.write(group + "/bin_width", bins_.width);
-    file.write(group + "/area", area_);
-    file.attribute(group + "/sums", "moments", "mass, momentum x y z, second moment xx yy zz; sums over samples");
-    file.write_text(group + "/deposits", deposits_ == Deposits::particles ? "particles" : "cells");
-}
-
-PhaseMoments PhaseMoments::read(const files::Hdf5File& file, const std::string& group) {
-    const files::Shape shape = file.shape(group + "/sums"), cycles = file.shape(group + "/centre_of_mass");
-    if (shape.size() != 4 || shape[3] != moments || cycles.size() != 2 || cycles[1] != shape[1]) {
-        throw files::Damaged(fmt::format("{}: not a set of phase moments", group));
-    }
-    const Bins bins{file.read_number(group + "/bin_lower"), file.read_number(group + "/bin_width"),
-                    static_cast<std::int64_t>(shape[2])};
-    const bool is_of_particles =
-        file.has(group + "/deposits") ? file.read_text(group + "/deposits") == "particles" : file.has("/h5md");
-    PhaseMoments result(is_of_particles ? Deposits::particles : Deposits::cells, static_cast<std::int64_t>(shape[1]),
-                        bins, file.read_number(group + "/area"), static_cast<std::int64_t>(cycles[0]),
-                        static_cast<std::int64_t>(shape[0]));
-    result.sums_ = file.read<double>(group + "/sums");
-    result.samples_ = file.read<std::int64_t>(group + "/samples");
-    result.centre_of_mass_ = file.read<double>(group + "/centre_of_mass");
-    if (!std::all_of(result.sums_.begin(), result.sums_.end(), [](double x) { return std::isfinite(x); }))
-        throw files::Damaged(fmt::format("{}/sums: holds what is not a number", group));
-    return result;
+    return first;  // of one cycle, so that nothing of it belongs to a second flow
 }
 
 }  // namespace shaken::fields

@@ -6,6 +6,8 @@
 // Particles scatter about a mean taken from themselves, which costs each component one degree of freedom: T of M of
 // them is M/(M - 1) times their mean square deviation, and unknown for M = 1. A cell knows its mean and has T already.
 // Sums are kept in blocks of cycles, from which standard errors follow by leaving one block out (jackknife).
+// A layer whose period is two cycles has two flows, of even and of odd cycles: the sums of the second are kept beside
+// those of all, so that each can be averaged apart. The first is the difference, to round-off of the sum of both.
 #pragma once
 
 #include <array>
@@ -24,6 +26,9 @@ namespace shaken::fields {
 
 /// What is deposited.
 enum class Deposits { particles, cells };
+
+/// Whose cycles: all, or every other one. The second flow is that of odd cycles until exchange_flows().
+enum class Flow { both, first, second };
 
 class PhaseMoments {
   public:
@@ -49,10 +54,11 @@ class PhaseMoments {
     const Bins& bins() const { return bins_; }
     double area() const { return area_; }
 
-    /// Averages over all blocks, or over all but one. NaN where unknown: everything at a phase that was never sampled,
-    /// u and T of an empty bin, T of one that a single particle visited.
+    /// Averages over all blocks, or over all but one, of a flow that keeps_flows_apart(), else std::invalid_argument.
+    /// NaN where unknown: everything at a phase that was never sampled, u and T of an empty bin, T of one that a single
+    /// particle visited.
     Profile profile(std::int64_t phase, const scene::PlateMotion& motion,
-                    std::optional<std::int64_t> left_out_block = std::nullopt) const;
+                    std::optional<std::int64_t> left_out_block = std::nullopt, Flow flow = Flow::both) const;
 
     /// Height of the centre of mass, lab frame, of every particle or slab ever deposited at this phase and cycle.
     /// Shape (cycles, phases); NaN where not sampled.
@@ -61,16 +67,26 @@ class PhaseMoments {
     void set_centre_of_mass(double height_lab);
     /// Mean over cycles and its standard error over blocks, at a phase; NaN where unknown.
     std::pair<double, double> mean_centre_of_mass(std::int64_t phase,
-                                                  std::optional<std::int64_t> left_out_block = std::nullopt) const;
+                                                  std::optional<std::int64_t> left_out_block = std::nullopt,
+                                                  Flow flow = Flow::both) const;
+
+    /// False for what an earlier version wrote of blocks of more than one cycle.
+    bool keeps_flows_apart() const { return !second_sums_.empty(); }
+    /// The second flow becomes the first.
+    void exchange_flows();
+    /// Joins neighbouring blocks where some hold a single cycle, so that leaving a block out leaves out whole periods
+    /// of two; otherwise as it is.
+    PhaseMoments in_whole_periods() const;
 
     /// Takes the blocks of another run of the same layer and engine in after its own: the average is then over both,
-    /// and errors are over the blocks of both. Throws std::invalid_argument unless deposits, phases, bins, area and
-    /// cycles in a block agree.
+    /// flow by flow, and errors are over the blocks of both. Throws std::invalid_argument unless deposits, phases,
+    /// bins, area and cycles in a block agree.
     void append(const PhaseMoments& other);
     /// Of every phase the first cycle that has it, as one block: a run that began in the middle of a cycle, followed
     /// until that phase comes again. Throws std::invalid_argument where cycles share a block, since a block keeps sums.
     PhaseMoments first_cycle() const;
 
+    /// Of a run that sampled itself: neither appended to nor exchanged.
     void save(files::CheckpointWriter& out, const std::string& prefix) const;
     void restore(const files::CheckpointReader& in, const std::string& prefix);
     void write(files::Hdf5File& file, const std::string& group) const;
@@ -79,6 +95,13 @@ class PhaseMoments {
 
   private:
     std::size_t offset(std::int64_t block, std::int64_t phase, std::int64_t bin) const;
+    void deposit(std::int64_t bin, const std::array<double, moments>& amounts);
+    void expect_apart(Flow flow) const;
+    /// Adds a block's sums of a flow at a phase to `total`, (bins, moments); how many samples it holds.
+    std::int64_t add_block(std::vector<double>& total, std::int64_t block, std::int64_t phase, Flow flow) const;
+    bool is_of(Flow flow, std::int64_t cycle) const;
+    /// Where each block is one cycle, the second flow is the blocks of its cycles.
+    void part_blocks_of_one_cycle();
     std::int64_t block_of(std::int64_t cycle) const { return cycle * blocks_ / cycles_; }
 
     Deposits deposits_;
@@ -89,6 +112,10 @@ class PhaseMoments {
     std::vector<double> sums_;            // (blocks, phases, bins, moments)
     std::vector<std::int64_t> samples_;   // (blocks, phases)
     std::vector<double> centre_of_mass_;  // (cycles, phases)
+    std::vector<bool> is_second_;         // (cycles)
+    // Of the second flow alone, shapes as above; empty where it is not known.
+    std::vector<double> second_sums_;
+    std::vector<std::int64_t> second_samples_;
 };
 
 }  // namespace shaken::fields

@@ -13,7 +13,8 @@ namespace {
 constexpr std::int64_t block_cycles = 10;  // the engines keep ten blocks of cycles for their standard errors
 constexpr double share_of_settling = 0.2;  // of a seed's cycles, at most, before another seed is worth its start
 constexpr double share_of_cell = 0.4, share_of_statistics = 0.85;
-constexpr double bytes_a_bin = 560;      // ten blocks of seven moments (fields/phase_moments.hpp)
+constexpr double bytes_a_bin =
+    1120;  // ten blocks of seven moments, of all and of odd cycles (fields/phase_moments.hpp)
 constexpr double largest_trial = 20000;  // particles
 
 /// The scene in that cell, or in a part of it: a flat layer's spread falls as one over the root of the area, its time

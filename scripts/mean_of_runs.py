@@ -54,6 +54,9 @@ def main():
     summaries = [json.loads((pathlib.Path(folder) / "summary.json").read_text()) for folder in sys.argv[1:]]
     if code := independent_runs.exit_code_of("mean_of_runs", [run for summary in summaries for run in summary["runs"]["md"]]):
         return code
+    if len({len(summary["md"]["zcm"]) for summary in summaries}) > 1:
+        print("mean_of_runs: some of these layers have a period of one cycle, some of two; they have no common mean", file=sys.stderr)
+        return 65
     print(f"{len(summaries)} runs")
     for key in NUMBERS:
         values = [value for value in (find(summary, key) for summary in summaries) if value is not None]

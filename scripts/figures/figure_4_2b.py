@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: MIT
-"""Figure 4.2(b): shock and centre of mass over one cycle, over the continuum's volume fraction."""
+"""Figure 4.2(b): shock and centre of mass over one period of the layer, over the continuum's volume fraction."""
 import sys
 
 import numpy as np
@@ -10,7 +10,7 @@ from style import PLATE, plt, points, save
 NAME = "figure_4_2b"
 START = -0.33  # where the source begins its cycle: the layer near the top of its flight
 CAPTION = (
-    "Figure 4.2(b). Shock location and centre of mass over one cycle in the lab frame: continuum (lines) and MD (markers). "
+    "Figure 4.2(b). Shock location and centre of mass over one period in the lab frame: continuum (lines) and MD (markers). "
     "Shading: volume fraction of the continuum, dark is dense. Crosses: upper (+) and lower (x) edge of the layer in MD, "
     "where the volume fraction falls below 4 % of random close packing. Thick line: the plate."
 )
@@ -27,15 +27,15 @@ def draw(run):
 
 
 def draw_cycle(axis, run):
-    """One cycle from START: what shades it, and the columns of its CSV."""
-    count = len(run.phase)
-    first = int(np.ceil((START % 1.0) * count - 1e-9))
+    """One period from START: what shades it, and the columns of its CSV."""
+    count, cycles = len(run.phase), run.cycles
+    first = int(np.ceil((START % cycles) * count / cycles - 1e-9))
     order = (first + np.arange(count)) % count
-    phase = run.phase[order] - (order >= first)
+    phase = run.phase[order] - cycles * (order >= first)
     plate = run.plate_height[order]
     density = run.continuum.volume_fraction[order]
-    edges = np.append(phase, phase[-1] + 1.0 / count) - 0.5 / count
-    mesh_plate = np.interp(edges, phase, plate, period=1.0)
+    edges = np.append(phase, phase[-1] + cycles / count) - 0.5 * cycles / count
+    mesh_plate = np.interp(edges, phase, plate, period=cycles)
     z = mesh_plate[:, None] + run.bin_edges()[None, :]
     shade = axis.pcolormesh(np.broadcast_to(edges[:, None], z.shape), z, density, cmap="Greys", vmin=0, vmax=0.65, rasterized=True)
     axis.plot(phase, plate, color=PLATE, lw=3, label="plate")

@@ -19,7 +19,8 @@ PUBLISHED_LIFE = (0.12, 0.35)
 
 
 def draw(run):
-    shown = (run.phase >= RANGE[0] - 1e-9) & (run.phase <= RANGE[1] + 1e-9)
+    limits = RANGE if run.cycles == 1 else (0.0, float(run.cycles))
+    shown = (run.phase >= limits[0] - 1e-9) & (run.phase <= limits[1] + 1e-9)
     phase = run.phase[shown]
     figure, axis = plt.subplots(figsize=(5.6, 4.2))
     ratio, slope = {}, {}
@@ -46,7 +47,7 @@ def draw(run):
     for ft in PUBLISHED_LIFE:
         axis.axvline(ft, color="0.6", lw=0.8, ls=":")
     axis.axhline(1.0, color="0.6", lw=0.8, ls=":")
-    axis.set_xlim(*RANGE)
+    axis.set_xlim(*limits)
     axis.set_ylim(bottom=0)
     axis.set_xlabel(r"$ft$")
     axis.set_ylabel(r"$\mathrm{Ma}$,  $d/\lambda$")

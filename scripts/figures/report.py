@@ -13,6 +13,7 @@ import figure_4_5
 from run_folder import Run, RunError
 
 FIGURES = (figure_4_1, figure_4_2b, figure_4_3, figure_4_5)
+PHASES_A_CYCLE = 20  # of z_cm in summary.json
 REFERENCES = Path(__file__).resolve().parents[2] / "data" / "references" / "chapter_4.toml"
 STYLE = """
 body { font: 15px/1.5 system-ui, sans-serif; color: #222; max-width: 60rem; margin: 2rem auto; padding: 0 1rem; }
@@ -63,14 +64,16 @@ def page(run, images):
 <p>Lengths in particle diameters, times in (diameter/gravity)<sup>1/2</sup>. MD numbers carry one standard error (blocks of
 cycles left out in turn). A verdict (MD / continuum) is given only where a bound
 or a tolerance was stated beforehand.</p>
+<p>{period(run.summary)}</p>
 {notes(run.summary)}
 <h2>Numbers</h2>
 {number_table(run.summary, references, run.is_of(references["scene"]))}
+{second_cycle(run.summary)}
 <h2>Where the equations hold</h2>
 {validity_table(run.summary)}
 <h2>Figures</h2>
 {"".join(figure(module, path) for module, path in images)}
-<h2>Centre of mass over the cycle</h2>
+<h2>Centre of mass over the period</h2>
 {centre_table(run.summary)}
 <h2>What it took</h2>
 {cost_table(run.summary)}
@@ -101,11 +104,35 @@ def number_table(summary, references, judged):
     return table + '<p class="small">No reference is known for this scene. Phases above 1 belong to the next cycle.</p>'
 
 
+def period(summary):
+    """Over how many cycles each engine repeats itself."""
+    def words(engine):
+        cycles = summary[engine].get("period")
+        return "too few cycles to tell" if not cycles else "1 cycle" if cycles == 1 else f"{cycles} cycles"
+    return f"Period of the layer: {words('md')} (MD), {words('continuum')} (continuum)."
+
+
+def second_cycle(summary):
+    """The shock of the second cycle, where even and odd cycles are averaged apart."""
+    if "second_cycle" not in summary["md"]:
+        return ""
+    keys = (("shock.formation_phase", "shock forms at ft"), ("shock.leaving_phase", "shock leaves the layer at ft"),
+            ("shock.mean_speed", "mean shock speed"), ("max_mach", "largest Mach number"))
+    rows = "".join(
+        f'<tr><td>{words}</td>' + "".join(f'<td class="number">{shown(*find(summary[engine]["second_cycle"], key))}</td>' for engine in ("md", "continuum")) + "</tr>"
+        for key, words in keys
+    )
+    return ("<h2>In the second cycle</h2><p>The numbers above, and figures of single phases, are of the first, the one with the higher centre of mass.</p>"
+            f"<table><tr><th>what</th><th>MD</th><th>continuum</th></tr>{rows}</table>")
+
+
 def notes(summary):
-    """What limits the continuum's numbers, before them."""
-    sentences = summary["continuum"].get("notes", [])
-    items = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in sentences)
-    return f'<h2>What to know of this continuum</h2><ul class="notes">{items}</ul>' if items else ""
+    """What limits the numbers, before them."""
+    blocks = ""
+    for engine, heading in (("md", "What to know of this MD"), ("continuum", "What to know of this continuum")):
+        items = "".join(f"<li>{html.escape(sentence)}</li>" for sentence in summary[engine].get("notes", []))
+        blocks += f'<h2>{heading}</h2><ul class="notes">{items}</ul>' if items else ""
+    return blocks
 
 
 def validity_table(summary):
@@ -183,7 +210,7 @@ def origins(references):
 def centre_table(summary):
     md, errors, continuum = summary["md"]["zcm"], summary["md"]["zcm_error"], summary["continuum"]["zcm"]
     rows = "".join(
-        f'<tr><td class="number">{k / len(md):.2f}</td><td class="number">{shown(md[k], errors[k])}</td>'
+        f'<tr><td class="number">{k / PHASES_A_CYCLE:.2f}</td><td class="number">{shown(md[k], errors[k])}</td>'
         f'<td class="number">{continuum[k]:.3f}</td><td class="number">{100 * (continuum[k] - md[k]) / md[k]:+.2f}</td>'
         f'<td class="number">{100 * (continuum[k] + 0.5 - md[k]) / md[k]:+.2f}</td></tr>'
         for k in range(len(md))

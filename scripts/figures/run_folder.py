@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: MIT
 """What a run folder holds, as arrays: compare.h5 and summary.json, and the particle frames of md.h5 if there are any.
 
-Units: sigma, sqrt(sigma/g). Phases are ft in [0, 1). Heights in compare.h5 are above the plate; `lab` adds the plate.
+Units: sigma, sqrt(sigma/g). Phases are ft in [0, 1), in [0, 2) for a layer of period two: `cycles`. Heights in compare.h5 are above the plate; `lab` adds the plate.
 """
 import json
 import sys
@@ -53,6 +53,7 @@ class Run:
                 raise RunError(f"{needed}: not there; make it with: shaken compare {self.folder}")
         with h5py.File(compare) as file:
             self.phase = file["phase"][()]
+            self.cycles = int(file["phase"].attrs.get("period", 1))
             self.height = file["height"][()]
             self.plate_height = file["plate/height"][()]
             self.plate_velocity = file["plate/velocity"][()]
@@ -72,8 +73,9 @@ class Run:
         return factor * 4 / 3 * np.abs(self.continuum(name) - self.finer(name))
 
     def nearest(self, phase):
-        """Index of the sampled phase nearest to ft, round the cycle."""
-        distance = np.abs((self.phase - phase + 0.5) % 1.0 - 0.5)
+        """Index of the sampled phase nearest to ft, round the period."""
+        half = self.cycles / 2
+        distance = np.abs((self.phase - phase + half) % self.cycles - half)
         return int(np.argmin(distance))
 
     def bin_edges(self):
@@ -81,7 +83,7 @@ class Run:
         return np.append(self.height - width / 2, self.height[-1] + width / 2)
 
     def frame(self, phase):
-        """(phase, positions) of the particle frame nearest to ft, or None where md.h5 has no frames."""
+        """(phase, positions) of the particle frame nearest to ft, or None where md.h5 has no frames of that cycle of the period."""
         path = self._trajectory()
         if not path.is_file():
             return None
@@ -89,7 +91,12 @@ class Run:
             if "particles/all/position/value" not in file or "particles/all/phase" not in file:
                 return None
             phases = file["particles/all/phase"][()]
-            nearest = int(np.argmin(np.abs((phases - phase + 0.5) % 1.0 - 0.5)))
+            if (self.summary["md"].get("period") or 1) > 1:
+                phases = phases + is_second(file)
+            distance = np.abs((phases - phase + self.cycles / 2) % self.cycles - self.cycles / 2)
+            nearest = int(np.argmin(distance))
+            if self.cycles > 1 and distance[nearest] > 0.25:
+                return None
             return float(phases[nearest]), file["particles/all/position/value"][nearest]
 
     def _trajectory(self):
@@ -112,6 +119,15 @@ class Run:
             edges = file["particles/all/box/edges"]
             values = edges["value"][0] if isinstance(edges, h5py.Group) else edges[()]
             return float(values[0, 0] if np.ndim(values) == 2 else values[0])
+
+
+def is_second(file):
+    """Of each frame of md.h5, 1 in a cycle of the lower centre of mass, which comes second in a period of two, and 0 in the others."""
+    heights = file["profiles/centre_of_mass"][()]
+    scene = tomllib.loads(file["provenance/scene"][()].decode())
+    cycle = np.round(file["particles/all/position/step"][()] / heights.shape[1] - file["particles/all/phase"][()]).astype(int)
+    odd_is_first = np.nanmean(np.nanmean(heights[1::2], axis=0) - np.nanmean(heights[::2], axis=0)) > 0
+    return (cycle - scene["sample"]["settle"] + odd_is_first) % 2
 
 
 class Study:
