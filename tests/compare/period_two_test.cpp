@@ -76,6 +76,17 @@ TEST_CASE("a period of two is laid out over two cycles, each as if it had been a
     CHECK_FALSE(both.follows(22));
 }
 
+TEST_CASE("a shock that lives on into the second cycle belongs to the first") {
+    std::vector<fields::Profile> profiles(80, synthetic::quiet_profile({0.0, 0.5, 80}));
+    for (std::size_t k = 34; k < 49; ++k)
+        profiles[k] = synthetic::Front{.location = 2.0 + 1.5 * static_cast<double>(k - 34)}.profile({0.0, 0.5, 80});
+    const auto measures = synthetic::measure(profiles);
+    const auto first = compare::follow_shock(measures, 0.1, 2, 0);
+    REQUIRE(first);
+    CHECK(first->last >= 40);
+    CHECK_FALSE(compare::follow_shock(measures, 0.1, 2, 1));
+}
+
 TEST_CASE("a cycle that is shown twice is the same twice") {
     const compare::Analysis once = measured(run(6, 6, Which::high)).all,
                             twice = measured(run(6, 6, Which::high), repeated).all;
