@@ -15,11 +15,11 @@ struct MeanWithMemory {
     double mean = 0.0;
     double error = 0.0;           // standard error with the memory found; NaN of fewer than two samples
     double memory = 0.0;          // tau, in samples
-    bool is_long_enough = false;  // to tell: at least twenty tau of blocks, and ten samples
+    bool is_long_enough = false;  // to tell: ten samples, and thirty tau of blocks where there is memory
 };
 
-/// NaN where a sample is not finite. Errors are right to 20 % (root mean square over series) where the series is long
-/// enough, and for shorter ones too as long as N exceeds ten tau; below that they are too small, and mostly say so.
+/// NaN where a sample is not finite. The root mean square of the error over many series is right to a tenth from N = 20
+/// tau on; of shorter ones the error is too small, and most of them say so.
 MeanWithMemory mean_with_memory(std::span<const double> samples);
 
 }  // namespace shaken::fields

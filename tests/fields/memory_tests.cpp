@@ -35,11 +35,11 @@ double exact_error(double coefficient, std::size_t count, double noise = 0.0) {
 }
 
 struct Found {
-    double ratio;         // rms of the errors over the exact one
-    double scatter;       // of the errors, over the exact one
-    double refused;       // share of series that are too short to tell
-    double worst_ratio;   // rms of the errors of the others over the exact one
-    double memory = 0.0;  // mean tau
+    double ratio;          // rms of the errors over the exact one
+    double scatter;        // of the errors, over the exact one
+    double refused;        // share of series that are too short to tell
+    double ratio_of_told;  // rms of the errors of the others over the exact one
+    double memory = 0.0;   // mean tau
 };
 
 Found find(double coefficient, std::size_t count, double noise = 0.0) {
@@ -97,20 +97,21 @@ TEST_CASE("memory under noise is found by blocks") {
 TEST_CASE("a series shorter than its memory is too short to tell") {
     for (const std::size_t count : {20, 30, 50}) {
         CAPTURE(count);
-        CHECK(find(0.98, count).refused > 0.85);
-        CHECK(find(0.9, count).refused > 0.8);
+        CHECK(find(0.98, count).refused > 0.9);
+        CHECK(find(0.9, count).refused > 0.88);
     }
+    CHECK(find(0.9, 100).refused > 0.9);
     CHECK(find(0.9, 1000).refused < 0.02);
-    CHECK(find(0.5, 100).refused < 0.02);
+    CHECK(find(0.5, 100).refused < 0.04);
     CHECK(find(0.0, 9).refused == 1.0);
     // Most of the memory is in the error nevertheless: the usual one is 0.21 of the exact one.
     CHECK(find(0.9, 30).ratio > 0.7);
 }
 
-TEST_CASE("twenty times of memory are enough: the errors that are told are right to a fifth") {
-    for (const auto& [coefficient, count] : {std::pair{0.0, 10}, {0.5, 50}, {0.5, 100}, {0.9, 300}, {0.9, 1000}}) {
+TEST_CASE("thirty times of memory are enough: the errors that are told are right to a fifth") {
+    for (const auto& [coefficient, count] : {std::pair{0.0, 10}, {0.5, 50}, {0.5, 100}, {0.9, 400}, {0.9, 1000}}) {
         CAPTURE(coefficient, count);
-        CHECK(find(coefficient, static_cast<std::size_t>(count)).worst_ratio == Approx(1.0).margin(0.2));
+        CHECK(find(coefficient, static_cast<std::size_t>(count)).ratio_of_told == Approx(1.0).margin(0.2));
     }
 }
 
