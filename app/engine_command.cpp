@@ -37,10 +37,13 @@ void print_result(const MdRun& run) {
 void print_result(const UniformRun& run) {
     fmt::print("md: {} pair collisions, state {:016x}\n", run.counters().pair_collisions, run.state_hash());
     for (const Measured& m : run.results()) {
-        fmt::print("{:40} {:.6g} +- {:.2g}", m.name, m.value, m.error);
-        if (m.reference)
-            fmt::print("   {:.6g} ({}), {:+.1f} standard errors", *m.reference, m.source,
-                       (m.value - *m.reference) / m.error);
+        // An error that may be too small is not left bare.
+        fmt::print("{:40} {:.6g} +- {}{:.2g}", m.name, m.value, m.is_too_short ? "at least " : "", m.error);
+        if (m.reference) fmt::print("   {:.6g} ({})", *m.reference, m.source);
+        if (m.is_too_short)
+            fmt::print(", too short to tell: about {:.2g} independent samples", m.independent);
+        else if (m.reference)
+            fmt::print(", {:+.1f} standard errors", (m.value - *m.reference) / m.error);
         fmt::print("\n");
     }
 }

@@ -8,8 +8,11 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
+#include <span>
 
 #include "app/md_run.hpp"
+#include "app/uniform_blocks.hpp"
+#include "fields/memory.hpp"
 #include "files/atomic_write.hpp"
 #include "files/provenance.hpp"
 #include "md/h5md.hpp"
@@ -53,14 +56,26 @@ std::int64_t diffusion_window(const scene::Scene& scene) {
     return 2 * std::max<std::int64_t>(1, std::llround(std::ceil(forgets / scene.uniform.interval)));
 }
 
-Measured mean_of(std::string name, const std::vector<double>& blocks, std::optional<double> reference,
+Measured mean_of(std::string name, std::span<const double> samples, std::optional<double> reference,
                  std::string source) {
-    double sum = 0.0, square = 0.0;
-    for (const double b : blocks) sum += b;
-    const double count = static_cast<double>(blocks.size()), mean = sum / count;
-    for (const double b : blocks) square += (b - mean) * (b - mean);
-    const double error = blocks.size() > 1 ? std::sqrt(square / (count - 1.0) / count) : unknown;
-    return {std::move(name), mean, error, reference, std::move(source)};
+    const fields::MeanWithMemory found = fields::mean_with_memory(samples);
+    const double independent = static_cast<double>(samples.size()) / (2.0 * found.memory);
+    return {std::move(name), found.mean, found.error, independent, !found.is_long_enough, reference, std::move(source)};
+}
+
+/// The growth of T^(-7/8) in the second half of the time over that in the first, from the growth in each interval.
+Measured later_growth(const std::vector<double>& late) {
+    const auto half = late.size() / 2;
+    const Measured early = mean_of("", std::span(late).first(half), std::nullopt, "");
+    const Measured later = mean_of("", std::span(late).subspan(half), std::nullopt, "");
+    const double ratio = later.value / early.value;
+    return {"growth of T^(-7/8), second half / first",
+            ratio,
+            std::abs(ratio) * std::hypot(early.error / early.value, later.error / later.value),
+            std::min(early.independent, later.independent),
+            early.is_too_short || later.is_too_short,
+            1.0,
+            "T ~ t^(-8/7), the limit of T far below v0^2"};
 }
 
 }  // namespace
@@ -117,54 +132,25 @@ bool UniformRun::advance_and_sample(const AskedToStop& asked_to_stop) {
 std::vector<Measured> UniformRun::results() const {
     const auto first = static_cast<std::size_t>(scene_.sample.settle);
     if (series_.rows() < first + 2) return {};
-    const std::size_t intervals = series_.rows() - 1 - first;
-    constexpr std::size_t most_blocks = 50;
-    const std::size_t blocks = std::min(intervals, most_blocks);
     const auto count = static_cast<double>(scene_.number_of_particles);
     const double phi = scene_.initial.volume_fraction;
     const auto at = [&](std::size_t row, const char* column) { return series_.value(row, column); };
-
-    std::vector<double> compressibility, rate, cumulant, cooling, late;
-    for (std::size_t b = 0; b < blocks; ++b) {
-        const std::size_t from = first + b * intervals / blocks, to = first + (b + 1) * intervals / blocks;
-        double heat = 0.0, speed = 0.0, shape = 0.0;  // integrals of T and sqrt(T); sum of a2
-        for (std::size_t k = from; k < to; ++k) {
-            // Exact where 1/sqrt(T) grows evenly, as it does while a gas cools by Haff's law. The total momentum is
-            // zero: 3 (N - 1) degrees of freedom hold 3 N T/2.
-            const double one = std::sqrt(at(k, "temperature") * count / (count - 1.0));
-            const double other = std::sqrt(at(k + 1, "temperature") * count / (count - 1.0));
-            const double ratio = one / other;
-            heat += scene_.uniform.interval * one * other;
-            speed +=
-                scene_.uniform.interval *
-                (std::abs(ratio - 1.0) < 1e-6 ? 0.5 * (one + other) : other * std::log(ratio) / (1.0 - 1.0 / ratio));
-            shape += at(k + 1, "fourth_cumulant");
-        }
-        const double elapsed = static_cast<double>(to - from) * scene_.uniform.interval;
-        compressibility.push_back(1.0 + (at(to, "virial") - at(from, "virial")) / (3.0 * count * heat));
-        rate.push_back(2.0 * (at(to, "pair_collisions") - at(from, "pair_collisions")) / (count * speed));
-        cumulant.push_back(shape / static_cast<double>(to - from));
-        const auto grown = [&](double power) {
-            return (std::pow(at(to, "temperature"), power) - std::pow(at(from, "temperature"), power)) / elapsed;
-        };
-        cooling.push_back(grown(-0.5));
-        late.push_back(grown(-0.875));
-    }
+    const UniformBlocks blocks = uniform_blocks(series_, first, count);
     const std::optional<double> e = constant_restitution(scene_);
     std::vector<Measured> all;
-    const Measured a2 = mean_of("fourth cumulant a2", cumulant, std::nullopt, "");
+    const Measured a2 = mean_of("fourth cumulant a2", blocks.cumulant, std::nullopt, "");
     const std::string klm = "Kolafa, Labik and Malijevsky 2004";
     const std::string of_few = " for N particles (Lebowitz and Percus 1961)";
     const std::string inelastic = e == 1.0 ? "" : ", to first order in the measured a2";
-    all.push_back(mean_of("compressibility Z = p/(nT)", compressibility,
+    all.push_back(mean_of("compressibility Z = p/(nT)", blocks.compressibility,
                           e ? std::optional(theory::compressibility(phi, *e, count)) : std::nullopt,
                           (e == 1.0 ? klm : klm + " times (1 + e)/2") + of_few));
     if (e == 1.0)
-        all.push_back(mean_of("compressibility Z = p/(nT)", compressibility,
+        all.push_back(mean_of("compressibility Z = p/(nT)", blocks.compressibility,
                               theory::compressibility_carnahan_starling(phi, count),
                               "Carnahan and Starling 1969" + of_few));
     all.push_back(
-        mean_of("collision rate / sqrt(T)", rate,
+        mean_of("collision rate / sqrt(T)", blocks.rate,
                 e ? std::optional(theory::collision_rate(phi, e == 1.0 ? 0.0 : a2.value, count)) : std::nullopt,
                 "Enskog with chi of " + klm + of_few + inelastic));
     all.push_back(a2);
@@ -174,16 +160,14 @@ std::vector<Measured> UniformRun::results() const {
             e == 1.0 ? "Maxwell, of N particles with one energy" : "van Noije and Ernst 1998, first order";
     }
     if (e && *e < 1.0)
-        all.push_back(mean_of("growth of 1/sqrt(T)", cooling, theory::cooling_rate(phi, *e, a2.value, count),
+        all.push_back(mean_of("growth of 1/sqrt(T)", blocks.cooling, theory::cooling_rate(phi, *e, a2.value, count),
                               "Haff 1983 with chi of " + klm + of_few + inelastic));
-    if (std::holds_alternative<scene::RestitutionVelocity>(scene_.particles.restitution) && blocks > 1) {
-        const auto half = late.begin() + static_cast<std::ptrdiff_t>(blocks / 2);
-        const Measured early = mean_of("", {late.begin(), half}, std::nullopt, "");
-        const Measured later = mean_of("", {half, late.end()}, std::nullopt, "");
-        const double ratio = later.value / early.value;
-        all.push_back({"growth of T^(-7/8), second half / first", ratio,
-                       ratio * std::hypot(early.error / early.value, later.error / later.value), 1.0,
-                       "T ~ t^(-8/7), the limit of T far below v0^2"});
+    if (std::holds_alternative<scene::RestitutionVelocity>(scene_.particles.restitution)) {
+        const auto power = [&](std::size_t row) { return std::pow(at(row, "temperature"), -0.875); };
+        std::vector<double> late;
+        for (std::size_t row = first + 1; row < series_.rows(); ++row)
+            late.push_back((power(row) - power(row - 1)) / scene_.uniform.interval);
+        if (late.size() > 1) all.push_back(later_growth(late));
     }
     if (window_ > 0) {
         std::vector<double> diffusion;
@@ -248,7 +232,11 @@ void UniformRun::write(const std::filesystem::path& path, const Spent& spent, co
 
     nlohmann::ordered_json summary = nlohmann::ordered_json::array();
     for (const Measured& m : results()) {
-        nlohmann::ordered_json entry{{"name", m.name}, {"measured", m.value}, {"standard_error", m.error}};
+        nlohmann::ordered_json entry{{"name", m.name},
+                                     {"measured", m.value},
+                                     {"standard_error", m.error},
+                                     {"independent_samples", m.independent},
+                                     {"too_short", m.is_too_short}};
         if (m.reference) {
             entry["reference"] = *m.reference;
             entry["source"] = m.source;

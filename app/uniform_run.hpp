@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // One MD run of a homogeneous gas: temperature, fourth cumulant, pressure, collision rate and (of an elastic gas)
-// self-diffusion, with standard errors of block means beside what the literature says.
+// self-diffusion, with standard errors that know how long the gas remembers, beside what the literature says.
 #pragma once
 
 #include <array>
@@ -16,10 +16,12 @@
 
 namespace shaken::app {
 
-/// A mean of blocks of the averaging time beside its reference.
+/// A mean over the averaging time beside its reference.
 struct Measured {
     std::string name;
-    double value = 0.0, error = 0.0;  // standard error; NaN of a single block
+    double value = 0.0, error = 0.0;  // standard error; NaN of a single sample
+    double independent = 0.0;         // samples that would have this error without memory (fields/memory.hpp)
+    bool is_too_short = false;        // to tell the error: it is what the memory found gives, at least
     std::optional<double> reference;
     std::string source;  // of the reference
 };

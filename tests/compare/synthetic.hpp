@@ -5,7 +5,6 @@
 #include <cmath>
 #include <cstdint>
 #include <numbers>
-#include <random>
 #include <vector>
 
 #include "compare/mach.hpp"
@@ -13,6 +12,7 @@
 #include "fields/phase_moments.hpp"
 #include "fields/profile.hpp"
 #include "scene/plate_motion.hpp"
+#include "tests/support/normal.hpp"
 
 using namespace shaken;
 
@@ -24,18 +24,7 @@ inline compare::Medium ideal_gas() {
             [](double density) { return std::sqrt(std::numbers::pi / 8.0) / (density * std::numbers::pi); }};
 }
 
-/// A pinned normal deviate (Box and Muller 1958): those of the standard library differ between libraries.
-class Normal {
-  public:
-    explicit Normal(std::uint64_t seed) : engine_(seed) {}
-    double operator()() {
-        const auto uniform = [&] { return (static_cast<double>(engine_() >> 11) + 0.5) * 0x1p-53; };
-        return std::sqrt(-2.0 * std::log(uniform())) * std::cos(2.0 * std::numbers::pi * uniform());
-    }
-
-  private:
-    std::mt19937_64 engine_;
-};
+using support::Normal;
 
 /// A layer between the plate and `layer_top`, split by a front: compressed, hot and at rest below, falling at `inflow`
 /// and cold above. T rises with height on both sides, as in the shaken layer.
