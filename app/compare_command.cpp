@@ -22,6 +22,7 @@
 #include "compare/summary.hpp"
 #include "compare/validity.hpp"
 #include "fields/height_maps.hpp"
+#include "fields/memory.hpp"
 #include "fields/period.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
@@ -75,12 +76,9 @@ class CostOfRuns {
     }
     compare::Cost mean() const {
         compare::Cost cost = cost_;
-        const auto n = static_cast<double>(collisions_.size());
-        const double mean = std::accumulate(collisions_.begin(), collisions_.end(), 0.0) / n;
-        double spread = 0.0;
-        for (const double collisions : collisions_) spread += (collisions - mean) * (collisions - mean);
-        cost.collisions_per_particle_per_cycle = mean;
-        if (n > 1.0) cost.collisions_per_particle_per_cycle_error = std::sqrt(spread / (n * (n - 1.0)));
+        const fields::MeanWithMemory collisions = fields::mean_with_memory(collisions_);
+        cost.collisions_per_particle_per_cycle = collisions.mean;
+        if (std::isfinite(collisions.error)) cost.collisions_per_particle_per_cycle_error = collisions.error;
         return cost;
     }
 
@@ -255,6 +253,7 @@ int run_compare(const CompareOptions& options) {
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
     summary["md"]["notes"] = notes_of_starts(runs);
+    if (const auto note = compare::note_of(md.memory, md_moments->cycles())) summary["md"]["notes"].push_back(*note);
     summary["continuum"]["validity"] = validity_of(continuum_file);
     summary["continuum"]["notes"] = notes_of(continuum_file);
     add_period(summary["md"], "The MD", md_periods, layouts.md);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // Everything that is measured of one engine's run: profiles, layer, shock and Mach number at every phase, the shock's
-// history, the centre of mass; and the same with each block of cycles left out, from which standard errors follow.
+// history, the centre of mass; and the same of parts of the cycles, from which standard errors follow.
 // A layer of period two has two cycles, each averaged apart, and phases 0 <= ft < 2.
 #pragma once
 
@@ -9,6 +9,7 @@
 #include <optional>
 #include <vector>
 
+#include "compare/cycle_memory.hpp"
 #include "compare/layout.hpp"
 #include "compare/mach.hpp"
 #include "compare/shock_history.hpp"
@@ -30,7 +31,7 @@ struct Analysis {
 };
 
 Analysis analyse(const fields::PhaseMoments& moments, const scene::PlateMotion& motion, const Medium& medium,
-                 const Layout& layout = {}, std::optional<std::int64_t> left_out_block = std::nullopt);
+                 const Layout& layout = {}, const std::vector<bool>& kept_blocks = {});
 
 /// A number and its standard error, NaN where unknown.
 struct Estimate {
@@ -42,9 +43,14 @@ struct Measured {
     Analysis all;
     std::vector<Analysis> without_block;  // one for each block of cycles; empty if there is one block only
     Layout layout = {};
+    CycleMemory memory = {};                     // its factor is in every error
+    std::vector<std::vector<bool>> halves = {};  // of the blocks; an analysis of each
+    std::vector<Analysis> of_halves = {};
 
-    /// Any number that an analysis gives, with its jackknife error.
+    /// Any number that is a smooth function of means, with its jackknife error.
     Estimate estimate(const std::function<double(const Analysis&)>& number) const;
+    /// Any number that moves in steps or jumps, with its error from halves of the blocks.
+    Estimate estimate_from_halves(const std::function<double(const Analysis&)>& number) const;
 };
 
 /// Blocks of single cycles are taken in pairs where cycles are averaged apart.

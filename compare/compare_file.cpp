@@ -27,11 +27,14 @@ class EngineGroup {
           phases_(measured.all.profiles.size()),
           bins_(static_cast<std::size_t>(measured.all.profiles.front().bins.count)) {}
 
+    using Estimator = Estimate (Measured::*)(const std::function<double(const Analysis&)>&) const;
+
     /// Shape (phases).
-    void phases(const std::string& name, const std::string& unit, const OfPhase& number) const {
+    void phases(const std::string& name, const std::string& unit, const OfPhase& number,
+                Estimator estimate = &Measured::estimate_from_halves) const {
         std::vector<double> values, errors;
         for (std::size_t p = 0; p < phases_; ++p) {
-            const Estimate e = measured_.estimate([&](const Analysis& a) { return number(a, p); });
+            const Estimate e = (measured_.*estimate)([&](const Analysis& a) { return number(a, p); });
             values.push_back(e.value);
             errors.push_back(e.error);
         }
@@ -100,7 +103,9 @@ void write_profiles(const EngineGroup& group, const Medium& medium) {
 }
 
 void write_measures(const EngineGroup& group) {
-    group.phases("centre_of_mass", "sigma", [](const Analysis& a, std::size_t p) { return a.centre_of_mass[p]; });
+    group.phases(
+        "centre_of_mass", "sigma", [](const Analysis& a, std::size_t p) { return a.centre_of_mass[p]; },
+        &Measured::estimate);
     group.phases("layer/lower", "sigma", of_layer(&Layer::lower));
     group.phases("layer/upper", "sigma", of_layer(&Layer::upper));
     group.phases("max_mach", "1", [](const Analysis& a, std::size_t p) { return a.measures[p].maximum_mach.value; });

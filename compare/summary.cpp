@@ -43,9 +43,10 @@ Number of_shock_at(double phase, std::int64_t cycles, const std::function<double
 }
 
 /// A phase known only to one of the sampled phases has at least the error of a uniform distribution of that width.
-Estimate with_resolution(Estimate estimate, double step) {
+void put_resolved(Json& object, const std::string& key, Estimate estimate, double step, bool with_error) {
     estimate.error = std::hypot(estimate.error, step / std::sqrt(12.0));
-    return estimate;
+    put(object, key, estimate, with_error);
+    if (with_error) object[key + "_resolution"] = step;
 }
 
 Json centre_of_mass_errors(const Measured& measured, std::int64_t phases) {
@@ -64,9 +65,11 @@ void put_shock(Json& out, const Measured& measured, std::int64_t cycle, bool wit
     const std::int64_t cycles = measured.layout.cycles;
     const double step = static_cast<double>(cycles) / static_cast<double>(measured.all.measures.size());
     Json& shock = out["shock"];
-    const auto history = [&](double ShockHistory::*member) { return measured.estimate(of_history(cycle, member)); };
-    put(shock, "formation_phase", with_resolution(history(&ShockHistory::formation_phase), step), with_error);
-    put(shock, "fully_formed_phase", with_resolution(history(&ShockHistory::fully_formed_phase), step), with_error);
+    const auto history = [&](double ShockHistory::*member) {
+        return measured.estimate_from_halves(of_history(cycle, member));
+    };
+    put_resolved(shock, "formation_phase", history(&ShockHistory::formation_phase), step, with_error);
+    put_resolved(shock, "fully_formed_phase", history(&ShockHistory::fully_formed_phase), step, with_error);
     put(shock, "leaving_phase", history(&ShockHistory::leaving_phase), with_error);
     put(shock, "mean_speed", history(&ShockHistory::mean_speed), with_error);
     put(shock, "fully_formed_speed", history(&ShockHistory::fully_formed_speed), with_error);
@@ -74,7 +77,7 @@ void put_shock(Json& out, const Measured& measured, std::int64_t cycle, bool wit
 
     put(out, "max_mach", history(&ShockHistory::approach_mach), with_error);
     const auto at_profile_phase = [&](const std::function<double(const Shock&)>& number) {
-        return measured.estimate(of_shock_at(static_cast<double>(cycle) + profile_phase, cycles, number));
+        return measured.estimate_from_halves(of_shock_at(static_cast<double>(cycle) + profile_phase, cycles, number));
     };
     put(out, "width_over_mean_free_path", at_profile_phase([](const Shock& s) { return s.width() / s.mean_free_path; }),
         with_error);
@@ -93,15 +96,24 @@ Json engine(const Measured& measured, bool with_error) {
     out["period"] = measured.layout.period ? Json(*measured.layout.period) : Json(nullptr);
     out["zcm"] = at_equal_phases(measured.all.centre_of_mass, phases);
     if (with_error) out["zcm_error"] = centre_of_mass_errors(measured, phases);
+    if (with_error) {
+        out["memory_cycles"] = finite_or_null(measured.memory.cycles);
+        out["too_short"] = !measured.memory.is_long_enough;
+    }
     put_shock(out, measured, 0, with_error);
     if (measured.layout.cycles > 1) put_shock(out["second_cycle"], measured, 1, with_error);
     return out;
 }
 
 /// A number of the pair of engines; its error is that of MD, the continuum having none of this kind.
-Estimate of_both(const Measured& md, const Analysis& continuum,
-                 const std::function<double(const Analysis& continuum, const Analysis& md)>& number) {
+using NumberOfBoth = std::function<double(const Analysis& continuum, const Analysis& md)>;
+
+Estimate of_both(const Measured& md, const Analysis& continuum, const NumberOfBoth& number) {
     return md.estimate([&](const Analysis& a) { return number(continuum, a); });
+}
+
+Estimate of_both_shocks(const Measured& md, const Analysis& continuum, const NumberOfBoth& number) {
+    return md.estimate_from_halves([&](const Analysis& a) { return number(continuum, a); });
 }
 
 }  // namespace
@@ -196,8 +208,8 @@ nlohmann::ordered_json summarise(const Measured& md, const Measured& continuum, 
     for (const auto& [suffix, life] :
          {std::pair{"", Life::formation_to_leaving}, std::pair{"_fully_formed", Life::fully_formed_to_leaving}}) {
         const std::string key = std::string("shock_location_rms") + suffix;
-        put(out, key, of_both(md, continuum.all, location_rms(0.0, life)), true);
-        put(out, key + "_half_diameter", of_both(md, continuum.all, location_rms(half_diameter, life)), true);
+        put(out, key, of_both_shocks(md, continuum.all, location_rms(0.0, life)), true);
+        put(out, key + "_half_diameter", of_both_shocks(md, continuum.all, location_rms(half_diameter, life)), true);
     }
     if (continuum.all.profiles.size() != md.all.profiles.size()) return out;
     for (const auto& [name, field] : {std::pair{"density", Field::density}, std::pair{"velocity", Field::velocity},

@@ -17,6 +17,10 @@ enum Moment : std::size_t { mass, momentum_x, momentum_y, momentum_z, second_xx,
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
 constexpr double round_off = 1e-12;
 
+bool is_kept(const std::vector<bool>& kept, std::int64_t block) {
+    return kept.empty() || kept.at(static_cast<std::size_t>(block));
+}
+
 /// Samples over degrees of freedom, of a mean taken from the samples themselves.
 double freedom_lost_to_the_mean(Deposits deposits, double mass) {
     if (deposits == Deposits::cells) return 1.0;
@@ -24,6 +28,12 @@ double freedom_lost_to_the_mean(Deposits deposits, double mass) {
 }
 
 }  // namespace
+
+std::vector<bool> all_but(std::int64_t block, std::int64_t blocks) {
+    std::vector<bool> kept(static_cast<std::size_t>(blocks), true);
+    kept.at(static_cast<std::size_t>(block)) = false;
+    return kept;
+}
 
 PhaseMoments::PhaseMoments(Deposits deposits, std::int64_t phases, Bins bins, double area, std::int64_t cycles,
                            std::int64_t blocks)
@@ -125,14 +135,14 @@ std::int64_t PhaseMoments::add_block(std::vector<double>& total, std::int64_t bl
     return samples_[sample] - second_samples_[sample];
 }
 
-Profile PhaseMoments::profile(std::int64_t phase, const scene::PlateMotion& motion,
-                              std::optional<std::int64_t> left_out_block, Flow flow) const {
+Profile PhaseMoments::profile(std::int64_t phase, const scene::PlateMotion& motion, const std::vector<bool>& kept,
+                              Flow flow) const {
     expect_apart(flow);
     const auto count = static_cast<std::size_t>(bins_.count);
     std::vector<double> total(count * moments, 0.0);
     std::int64_t samples = 0;
     for (std::int64_t block = 0; block < blocks_; ++block) {
-        if (left_out_block && *left_out_block == block) continue;
+        if (!is_kept(kept, block)) continue;
         samples += add_block(total, block, phase, flow);
     }
     Profile p;
@@ -164,13 +174,21 @@ Profile PhaseMoments::profile(std::int64_t phase, const scene::PlateMotion& moti
     return p;
 }
 
-std::pair<double, double> PhaseMoments::mean_centre_of_mass(std::int64_t phase,
-                                                            std::optional<std::int64_t> left_out_block,
+std::vector<double> PhaseMoments::centres_of_mass(std::int64_t phase, Flow flow) const {
+    std::vector<double> heights;
+    for (std::int64_t cycle = 0; cycle < cycles_; ++cycle) {
+        const double height = centre_of_mass_[static_cast<std::size_t>(cycle * phases_ + phase)];
+        if (!std::isnan(height) && is_of(flow, cycle)) heights.push_back(height);
+    }
+    return heights;
+}
+
+std::pair<double, double> PhaseMoments::mean_centre_of_mass(std::int64_t phase, const std::vector<bool>& kept,
                                                             Flow flow) const {
     std::vector<double> block_sum(static_cast<std::size_t>(blocks_), 0.0), block_count(block_sum);
     for (std::int64_t cycle = 0; cycle < cycles_; ++cycle) {
         const double height = centre_of_mass_[static_cast<std::size_t>(cycle * phases_ + phase)];
-        if (std::isnan(height) || left_out_block == block_of(cycle) || !is_of(flow, cycle)) continue;
+        if (std::isnan(height) || !is_kept(kept, block_of(cycle)) || !is_of(flow, cycle)) continue;
         block_sum[static_cast<std::size_t>(block_of(cycle))] += height;
         block_count[static_cast<std::size_t>(block_of(cycle))] += 1.0;
     }

@@ -5,7 +5,7 @@
 // of u inside a bin adds to T alike in both (about (du/dz)^2 width^2 / 12 / 3).
 // Particles scatter about a mean taken from themselves, which costs each component one degree of freedom: T of M of
 // them is M/(M - 1) times their mean square deviation, and unknown for M = 1. A cell knows its mean and has T already.
-// Sums are kept in blocks of cycles, from which standard errors follow by leaving one block out (jackknife).
+// Sums are kept in blocks of cycles, from which standard errors follow by leaving blocks out.
 // A layer whose period is two cycles has two flows, of even and of odd cycles: the sums of the second are kept beside
 // those of all, so that each can be averaged apart. The first is the difference, to round-off of the sum of both.
 #pragma once
@@ -29,6 +29,9 @@ enum class Deposits { particles, cells };
 
 /// Whose cycles: all, or every other one. The second flow is that of odd cycles until exchange_flows().
 enum class Flow { both, first, second };
+
+/// Which of so many blocks are kept where one is left out.
+std::vector<bool> all_but(std::int64_t block, std::int64_t blocks);
 
 class PhaseMoments {
   public:
@@ -54,20 +57,21 @@ class PhaseMoments {
     const Bins& bins() const { return bins_; }
     double area() const { return area_; }
 
-    /// Averages over all blocks, or over all but one, of a flow that keeps_flows_apart(), else std::invalid_argument.
-    /// NaN where unknown: everything at a phase that was never sampled, u and T of an empty bin, T of one that a single
-    /// particle visited.
-    Profile profile(std::int64_t phase, const scene::PlateMotion& motion,
-                    std::optional<std::int64_t> left_out_block = std::nullopt, Flow flow = Flow::both) const;
+    /// Averages over all blocks, or over those with a true entry in `kept`, of a flow that keeps_flows_apart(), else
+    /// std::invalid_argument. NaN where unknown: everything at a phase that was never sampled, u and T of an empty bin,
+    /// T of one that a single particle visited.
+    Profile profile(std::int64_t phase, const scene::PlateMotion& motion, const std::vector<bool>& kept = {},
+                    Flow flow = Flow::both) const;
 
     /// Height of the centre of mass, lab frame, of every particle or slab ever deposited at this phase and cycle.
     /// Shape (cycles, phases); NaN where not sampled.
     const std::vector<double>& centre_of_mass() const { return centre_of_mass_; }
+    /// The same of one phase, of every cycle of a flow at which it was sampled.
+    std::vector<double> centres_of_mass(std::int64_t phase, Flow flow = Flow::both) const;
     /// Set by the owner of the sample, which knows all the mass (bins may end below the ceiling).
     void set_centre_of_mass(double height_lab);
     /// Mean over cycles and its standard error over blocks, at a phase; NaN where unknown.
-    std::pair<double, double> mean_centre_of_mass(std::int64_t phase,
-                                                  std::optional<std::int64_t> left_out_block = std::nullopt,
+    std::pair<double, double> mean_centre_of_mass(std::int64_t phase, const std::vector<bool>& kept = {},
                                                   Flow flow = Flow::both) const;
 
     /// False for what an earlier version wrote of blocks of more than one cycle.

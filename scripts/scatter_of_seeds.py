@@ -3,6 +3,7 @@
 
 Runs each study (default: all) with as many seeds as wanted and prints the mean of each number, its scatter over the seeds, the
 root mean square of the errors, and the ratio of the two, which is 1 where errors are right; at the end the geometric mean of the ratios.
+A number that is known to one of the sampled phases has the resolution of that in its error, and here in its scatter.
 The scatter of n seeds is itself known to 1/sqrt(2 (n - 1)), 11 % of forty; the errors of short runs add to that.
 """
 import argparse
@@ -54,34 +55,35 @@ class Runs:
 
 
 def numbers(summary, prefix=""):
-    """Every number that has a standard error: (name, value, error)."""
+    """Every number that has a standard error: (name, value, error, resolution)."""
     if isinstance(summary, list):
         for entry in {entry["name"]: entry for entry in summary}.values():
-            yield entry["name"], entry["measured"], entry["standard_error"]
+            yield entry["name"], entry["measured"], entry["standard_error"], 0.0
         return
     for key, value in summary.items():
         error = summary.get(f"{key}_error")
         if isinstance(value, dict):
             yield from numbers(value, f"{prefix}{key}.")
         elif isinstance(error, list):
-            yield from ((f"{prefix}{key}[{i}]", *pair) for i, pair in enumerate(zip(value, error)))
+            yield from ((f"{prefix}{key}[{i}]", *pair, 0.0) for i, pair in enumerate(zip(value, error)))
         elif f"{key}_error" in summary:
-            yield prefix + key, value, error
+            yield prefix + key, value, error, summary.get(f"{key}_resolution", 0.0)
 
 
 def table(summaries):
     """Rows of (name, mean, scatter, rms of the errors, ratio, seeds) of numbers known in at least half of the runs."""
     found = {}
     for summary in summaries:
-        for name, value, error in numbers(summary):
+        for name, value, error, resolution in numbers(summary):
             if None not in (value, error):
-                found.setdefault(name, []).append((value, error))
-    for name, pairs in found.items():
-        if len(pairs) < 2 or 2 * len(pairs) < len(summaries):
+                found.setdefault(name, []).append((value, error, resolution))
+    for name, runs in found.items():
+        if len(runs) < 2 or 2 * len(runs) < len(summaries):
             continue
-        scatter = statistics.stdev(value for value, _ in pairs)
-        said = math.sqrt(statistics.fmean(error * error for _, error in pairs))
-        yield name, statistics.fmean(value for value, _ in pairs), scatter, said, scatter / said if said > 0 else math.nan, len(pairs)
+        values, errors, resolutions = zip(*runs)
+        scatter = math.hypot(statistics.stdev(values), resolutions[0] / math.sqrt(12))
+        said = math.sqrt(statistics.fmean(error * error for error in errors))
+        yield name, statistics.fmean(values), scatter, said, scatter / said if said > 0 else math.nan, len(runs)
 
 
 def geometric_mean(ratios):
