@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The numbers of a comparison, as JSON. Layout in docs/formats.md. Each MD number has its standard error beside it
-// (`..._error`: jackknife over blocks of cycles); what is unknown is null.
+// (`..._error`: from blocks of cycles left out); what is unknown is null.
 #pragma once
 
 #include <cstdint>

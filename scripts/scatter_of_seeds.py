@@ -40,12 +40,12 @@ class Runs:
     def engine(self, name, scene, settings, to):
         self(name, scene, *(word for setting in settings for word in ("--set", setting)), "--out", self.folder / to)
 
-    def summaries(self, scene, settings, seeds):
+    def summaries(self, scene, settings, seeds, first=1):
         """summary.json of every seed; of a layer that of its comparison with one run of the continuum."""
         is_layer = 'kind = "layer"' in scene.read_text()
         if is_layer:
             self.engine("continuum", scene, settings, "continuum")
-        for seed in range(1, seeds + 1):
+        for seed in range(first, first + seeds):
             self.engine("md", scene, [*settings, f"md.seed={seed}", f"initial.seed={seed}"], f"{seed}")
             if is_layer:
                 self("compare", self.folder / f"{seed}", "--md", self.folder / f"{seed}", "--continuum", self.folder / "continuum")
@@ -94,6 +94,7 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("studies", nargs="*", metavar="STUDY", help=", ".join(STUDIES))
     parser.add_argument("--seeds", type=int, default=40)
+    parser.add_argument("--first", type=int, default=1, help="the first seed")
     parser.add_argument("--shaken", type=pathlib.Path, default=os.environ.get("SHAKEN", ROOT / "build/release/shaken"))
     options = parser.parse_args()
     if unknown := set(options.studies) - set(STUDIES):
@@ -103,7 +104,7 @@ def main():
     for study in options.studies or STUDIES:
         scene, settings = STUDIES[study]
         with tempfile.TemporaryDirectory() as folder:
-            rows = table(list(Runs(options.shaken, folder).summaries(ROOT / f"data/scenes/{scene}.toml", settings, options.seeds)))
+            rows = table(list(Runs(options.shaken, folder).summaries(ROOT / f"data/scenes/{scene}.toml", settings, options.seeds, options.first)))
             for name, mean, scatter, said, ratio, seeds in rows:
                 print(f"| {study} | {name} | {mean:.5g} | {scatter:.2g} | {said:.2g} | {ratio:.2f} | {seeds} |", flush=True)
                 ratios.append(ratio)

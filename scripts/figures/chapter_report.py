@@ -38,7 +38,7 @@ def main():
     (out / "report.html").write_text(f"""<!DOCTYPE html>
 <html lang="en"><head><meta charset="utf-8"><title>shaken: {html.escape(title)}</title><style>{STYLE}</style></head><body>
 <h1>{html.escape(title)}</h1>
-<p>Made by <code>{html.escape(command)}</code>. Errors are one standard error of the MD (blocks of cycles or runs left out in turn).</p>
+<p>Made by <code>{html.escape(command)}</code>. Errors are one standard error of the MD (blocks of cycles or runs left out).</p>
 {pictures}{table}</body></html>
 """, encoding="utf-8")
     if summaries:

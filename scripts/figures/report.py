@@ -62,7 +62,7 @@ def page(run, images):
 <title>shaken: {name}</title><style>{STYLE}</style></head><body>
 <h1>{name}: molecular dynamics and hydrodynamics of one shaken layer</h1>
 <p>Lengths in particle diameters, times in (diameter/gravity)<sup>1/2</sup>. MD numbers carry one standard error (blocks of
-cycles left out in turn). A verdict (MD / continuum) is given only where a bound
+cycles left out). A verdict (MD / continuum) is given only where a bound
 or a tolerance was stated beforehand.</p>
 <p>{period(run.summary)}</p>
 {notes(run.summary)}

@@ -29,7 +29,7 @@ TEST_CASE("the file of a resumed run names its checkpoint, its seed and all the 
     // One thread: processor time is then not above the clock's.
     const std::string command = "OMP_NUM_THREADS=1 " SHAKEN_COMMAND " -q " + engine;
     int code = support::shell(command + " " + support::small_scene + " --set md.seed=77 --set initial.seed=78 " +
-                              "--set sample.average=40 --max-walltime 0.1 --out " + out)
+                              "--set sample.average=160 --max-walltime 0.1 --out " + out)
                    .code;
     const std::filesystem::path file = out + "/" + engine + ".h5";
     shaken::app::Spent before;

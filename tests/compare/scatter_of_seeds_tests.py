@@ -10,9 +10,9 @@ SEEDS, STUDIES = int(sys.argv[3]), sys.argv[4:]
 sys.path.append(str(SOURCE / "scripts"))
 import scatter_of_seeds  # noqa: E402
 
-# Statistics: a ratio from n seeds is known to 1/sqrt(2 (n - 1)), 11 % of forty, and those of one study go together. The bounds are those of forty seeds, wider for fewer by two of what is
+# Statistics: a ratio from n seeds is known to 1/sqrt(2 (n - 1)), 11 % of forty, and those of one study go together. The bounds are those of forty seeds, wider for fewer by three of what is
 # known less well.
-WIDER = math.exp(2 * (1 / math.sqrt(2 * (SEEDS - 1)) - 1 / math.sqrt(78)))
+WIDER = math.exp(3 * (1 / math.sqrt(2 * (SEEDS - 1)) - 1 / math.sqrt(78)))
 LEAST, MOST, MEAN = 0.65 / WIDER, 1.5 * WIDER, 1.1 * WIDER
 
 rows = []
