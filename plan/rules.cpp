@@ -16,7 +16,7 @@ constexpr double shortest_of_formula = 0.6;
 // have none at 0.43 to 0.56 (docs/choosing.md).
 constexpr double shortest_ever = 0.37;
 
-constexpr double least_safe_restitution = 0.8;
+constexpr double least_safe_restitution = 0.85;
 
 double longer_side(const scene::Scene& scene) { return std::max(scene.box.x, scene.box.y); }
 double needed_side(const scene::Scene& scene) { return shortest_of_formula * pattern_wavelength(scene); }
