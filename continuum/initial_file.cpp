@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "fields/period.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
@@ -68,12 +69,16 @@ StoredFlow read_frame(const files::Hdf5File& file, const std::filesystem::path& 
 
 StoredFlow read_profile(const files::Hdf5File& file, const std::filesystem::path& path, double phase,
                         const scene::Scene& origin) {
-    const fields::PhaseMoments moments = fields::PhaseMoments::read(file, "/profiles");
+    fields::PhaseMoments moments = fields::PhaseMoments::read(file, "/profiles");
+    const bool alternates = fields::period_of(moments.centre_of_mass(), moments.phases()).value_or(1) > 1;
+    if (fields::odd_cycles_are_higher(moments.centre_of_mass(), moments.phases())) moments.exchange_flows();
+    const bool apart = alternates && moments.keeps_flows_apart();
     const double phases = static_cast<double>(moments.phases());
     const std::int64_t index = std::llround(phase * phases) % moments.phases();
     const double found = static_cast<double>(index) / phases;
     if (distance(found, phase) > nearest_allowed) refuse_phase(path, phase, found);
-    const fields::Profile profile = moments.profile(index, origin.motion);
+    const fields::Profile profile =
+        moments.profile(index, origin.motion, {}, apart ? fields::Flow::first : fields::Flow::both);
     if (std::isnan(profile.density.front()))
         throw files::Damaged(
             fmt::format("{}: the run had not been averaged at ft = {:.6g} when it ended", path.string(), found));

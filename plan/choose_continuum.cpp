@@ -109,8 +109,10 @@ void put_cost(Trials& trials, ContinuumPlan& plan, double fixed, double seconds_
 }  // namespace
 
 double ContinuumPlan::error() const {
-    const double signed_parts = root_mean_square(together);
-    return std::sqrt(signed_parts * signed_parts + columns * columns + scatter * scatter + floor * floor);
+    // Parts measured on coarse grids may have the other sign on the planned one: what cancels there is not counted on.
+    const double apart = std::sqrt(grid * grid + lid_error * lid_error + start * start);
+    const double parts = std::max(root_mean_square(together), apart);
+    return std::sqrt(parts * parts + columns * columns + scatter * scatter + floor * floor);
 }
 
 scene::Scene planned_scene(const scene::Scene& given, const ContinuumPlan& plan) {

@@ -39,9 +39,13 @@ MdPlan choose_md(Trials& trials, const ContinuumPlan& continuum, double error) {
     const bool flat = continuum.dimension == 1;
     const FlatBox whole{given.number_of_particles, given.box.x, given.box.y};
     FlatBox small = flat ? flat_box(given) : whole;
-    const Grains* tried = trials.grains(trial_of(given, continuum, small), continuum.settle_of_trial, false);
+    // One trial that goes through says little: two of six seeds did.
+    plan.small_cell_may_collapse = small.number < whole.number && may_collapse(given);
+    if (plan.small_cell_may_collapse) small = whole;
+    const Grains* tried =
+        trials.grains(trial_of(given, continuum, small), continuum.settle_of_trial, plan.small_cell_may_collapse);
     if (!tried) {
-        plan.small_cell_collapses = true;
+        plan.small_cell_may_collapse = true;
         small = whole;
         tried = trials.grains(trial_of(given, continuum, whole), continuum.settle_of_trial, true);
     }

@@ -107,9 +107,10 @@ std::vector<Reason> reasons_of(Trials& trials, const Proposal& p) {
         say("box", box,
             p.md.particles <= flat_box(scene).number && c.dimension == 1 ? "the scene's, small enough"
             : c.dimension > 1                                            ? "the scene's, for its waves"
-            : p.md.small_cell_collapses ? fmt::format("the scene's: grains collapse in a cell of {:g}", flat_width)
-                                        : fmt::format("the scene's: z_cm in a cell of {:g} would differ by {}",
-                                                      flat_width, per_cent(flat_width_error)));
+            : p.md.small_cell_may_collapse
+                ? fmt::format("the scene's: grains may collapse in a cell of {:g}", flat_width)
+                : fmt::format("the scene's: z_cm in a cell of {:g} would differ by {}", flat_width,
+                              per_cent(flat_width_error)));
     say("spins", scene.particles.friction.law == scene::FrictionLaw::none ? "none" : "followed",
         scene.particles.friction.law == scene::FrictionLaw::none ? "without friction nothing turns"
                                                                  : "the scene has friction");

@@ -40,7 +40,7 @@ struct MdPlan {
     double start = 0.0;
     double cell = 0.0;   // of a cell smaller than the scene's
     double drift = 0.0;  // where the trial's end lies elsewhere
-    bool small_cell_collapses = false;
+    bool small_cell_may_collapse = false;
     double error() const;
 };
 

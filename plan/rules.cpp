@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <variant>
 
 namespace shaken::plan {
 
@@ -14,6 +15,8 @@ constexpr double shortest_of_formula = 0.6;
 // ch4_shock in square boxes: a wave of 1.00 +- 0.05 sigma at 0.40 (24 wide), none at 0.33 (20 wide); four other layers
 // have none at 0.43 to 0.56 (docs/choosing.md).
 constexpr double shortest_ever = 0.37;
+
+constexpr double least_safe_restitution = 0.85;
 
 double longer_side(const scene::Scene& scene) { return std::max(scene.box.x, scene.box.y); }
 double needed_side(const scene::Scene& scene) { return shortest_of_formula * pattern_wavelength(scene); }
@@ -34,6 +37,11 @@ bool may_hold_pattern(const scene::Scene& scene) {
 int needed_dimension(const scene::Scene& scene) {
     if (!holds_pattern(scene)) return 1;
     return std::min(scene.box.x, scene.box.y) >= needed_side(scene) ? 3 : 2;
+}
+
+bool may_collapse(const scene::Scene& scene) {
+    const auto* constant = std::get_if<scene::RestitutionConstant>(&scene.particles.restitution);
+    return constant && constant->e0 < least_safe_restitution && scene.particles.collapse == scene::CollapseRemedy::none;
 }
 
 FlatBox flat_box(const scene::Scene& scene) {

@@ -22,6 +22,11 @@ bool may_hold_pattern(const scene::Scene& scene);
 /// 1 where nothing varies across columns, 2 where waves fit along one side alone, else 3.
 int needed_dimension(const scene::Scene& scene);
 
+/// Whether grains of this law may collapse in a cell as small as flat_width: constant e below 0.85 without a remedy. At
+/// e = 0.75 four of six seeds do within 30 cycles of ch4_shock, at 0.8 two of six within 40, and none in its own cell,
+/// which also remembers itself for tens of cycles at 0.8, as the small one does not (docs/choosing.md).
+bool may_collapse(const scene::Scene& scene);
+
 struct FlatBox {
     std::int64_t number = 0;  // particles
     double x = 0.0, y = 0.0;  // sigma

@@ -63,8 +63,8 @@ def cpu_of_children():
     return usage.ru_utime + usage.ru_stime
 
 
-class NoPlan(Exception):
-    """What `shaken plan` said in place of a plan."""
+class Failed(Exception):
+    """What `shaken` said in place of a plan, or of what a planned run should give."""
 
 
 class Check:
@@ -82,7 +82,7 @@ class Check:
             done = subprocess.run([self.shaken, "plan", ROOT / f"data/scenes/{self.scene}.toml", *words_of(self.changes), *self.wish.split(), "--json",
                                    "--overwrite", "--out", self.planned], capture_output=True, text=True, check=False)
             if done.returncode:
-                raise NoPlan(done.stderr.strip().splitlines()[-1])
+                raise Failed(f"no plan: {last_line(done.stderr)}")
             path.write_text(done.stdout)
         return json.loads(path.read_text())
 
@@ -93,8 +93,10 @@ class Check:
             out = self.folder / name
             changes = ["sample.frames=0", "sample.map_bin=0", *changes]
             before = cpu_of_children()
-            subprocess.run([self.shaken, engine, self.planned, *words_of(changes), "--quiet", "--overwrite", "--out", out], check=True,
-                           stdout=subprocess.DEVNULL)
+            done = subprocess.run([self.shaken, engine, self.planned, *words_of(changes), "--quiet", "--overwrite", "--out", out], check=False,
+                                  stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True)
+            if done.returncode:
+                raise Failed(f"{name} fails: {last_line(done.stderr)}")
             seconds = cpu_of_children() - before
             with h5py.File(out / f"{engine}.h5") as file:
                 heights = file["observables/centre_of_mass/value"][:]
@@ -133,12 +135,15 @@ class Check:
         if path.exists():
             return json.loads(path.read_text())
         try:
-            plan = self.plan()
-        except NoPlan as refusal:
-            rows = [{name: UNKNOWN for name in COLUMNS} | {"scene": self.name, "wish": self.wish, "engine": "", "quantity": f"no plan: {refusal}", "within": 0,
+            rows = self.measured()
+        except Failed as failed:
+            rows = [{name: UNKNOWN for name in COLUMNS} | {"scene": self.name, "wish": self.wish, "engine": "", "quantity": str(failed), "within": 0,
                                                       "command": self.command}]
-            path.write_text(json.dumps(rows, indent=1) + "\n")
-            return rows
+        path.write_text(json.dumps(rows, indent=1) + "\n")
+        return rows
+
+    def measured(self):
+        plan = self.plan()
         rows = []
 
         def row(engine, quantity, foretold, uncertainty, found, found_uncertainty, within):
@@ -155,8 +160,11 @@ class Check:
         row("md", "seconds", m["seconds"], UNKNOWN, seconds, UNKNOWN, TIME_WITHIN)
         row("md", "error_percent", 100 * m["error_statistics"], 100 * m["error_statistics"] * m["error_statistics_uncertainty"], 100 * error,
             100 * error * uncertainty, ERROR_WITHIN)
-        path.write_text(json.dumps(rows, indent=1) + "\n")
         return rows
+
+
+def last_line(said):
+    return (said.strip().splitlines() or [""])[-1]
 
 
 def relative(a, b):

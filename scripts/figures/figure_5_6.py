@@ -8,7 +8,7 @@ from slice_figures import one_field
 NAME = "figure_5_6"
 CAPTION = (
     "Figure 5.6. Vertical velocity in the laboratory over a plane across the stripes, at eight phases of two cycles: MD (left), continuum (right). "
-    "MD at the source's peak acceleration, 2.2; the continuum at 4.0, since at 2.2 ours stays flat; f* = 0.4174. MD: mean over all particles along "
+    "MD at the source's peak acceleration, 2.2; the continuum at 3.6, since at 2.2 ours stays flat; f* = 0.4174. MD: mean over all particles along "
     "the stripes and four times two cycles; grey: too few particles to tell, or volume fraction below 0.001. Thick line: the plate."
 )
 

@@ -16,7 +16,7 @@ from style import PLATE, plt, save
 
 NAME = "figure_5_movie"
 CAPTION = (
-    "Movie: MD (particles within six diameters along the line of sight, along the stripes, coloured by their horizontal velocity) and continuum (volume fraction) in step over two cycles, MD at Gamma = 2.2, the continuum at 4.0, where it has stripes, "
+    "Movie: MD (particles within six diameters along the line of sight, along the stripes, coloured by their horizontal velocity) and continuum (volume fraction) in step over two cycles, MD at Gamma = 2.2, the continuum at 3.6, where it has stripes, "
     "f* = 0.4174. The picture is the frame at ft = 0.75; the movie lies beside it as figure_5_movie.mp4 and shows the two cycles four times."
 )
 DEEP, TOP, SHOWN, RATE, ROUNDS = 6.0, 21.0, 0.75, 16, 4

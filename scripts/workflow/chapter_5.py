@@ -20,7 +20,7 @@ CONVERGED = "data/expected/ch5_converged.csv"
 PUBLISHED = 2.2   # Gamma of the chapter
 # The lowest end that the gas of one column does not reach; where it is not 25.
 UPPER_END = {"0.15": 80, "0.2": 60, "0.25": 40}
-WAVING = 4.0      # Gamma at which the continuum has stripes: on columns 1 wide its waves grow above 3.5 (docs/validation.md)
+WAVING = 3.6      # Gamma at which the continuum has stripes: its waves grow above 3.36, and at 4.0 the layer has a period of two and is flat (docs/validation.md)
 FREQUENCIES = ("0.15", "0.2", "0.25", "0.3", "0.35", "0.4", "0.4174", "0.45", "0.5")
 
 # The open question: each choice that could make the published onset, by the settings that make it.

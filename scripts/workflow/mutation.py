@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: MIT
 """Plants faults one by one in a worktree of its own and keeps a row of each: which test caught it, or none.
 
-The tests of the fault's folder run first, and all the others only where those see nothing. Rows are written as they come:
-a cut run goes on behind the last one.
+The test that caught a fault in another program runs first, then the quick tests of the fault's folder, then all of the folder,
+and the others only where those see nothing. Rows are written as they come: a cut run goes on behind the last one.
 """
 import contextlib
 import csv
@@ -27,6 +27,9 @@ TARGETS = {"compare": ("compare_tests", "shaken"), "scripts": ("shaken",)}
 LABELS = {"scripts": "^(scripts|compare|validation)$"}
 # The test that the list fits the sources fails with any fault.
 LEFT_OUT = "^mutate:"
+QUICK = 1.0  # second, of a test that does not wait for the others
+SLOW_TESTS = "build/slow_tests"
+TOOK = re.compile(r"^\s*\d+/\d+ Test +#\d+: (.*?) \.+ +Passed +([\d.]+) sec", re.M)
 FAILED = re.compile(r"^\s+\d+ - (.*) \((?!Not Run|Disabled)([^()]*)\)", re.M)
 
 
@@ -85,12 +88,14 @@ class Bench:
                 code, said = self.run(["cmake", "--build", "--preset", "release", "--parallel", self.jobs, *(["--target", *targets] if targets else [])], until)
                 if code:
                     return NO_BUILD, suite, first_error(said)
-                code, said = self.run(["ctest", "--preset", "release", "--stop-on-failure", "--parallel", self.jobs, "--exclude-regex", LEFT_OUT, *chosen], until)
+                left_out = [LEFT_OUT, *(self.slow_tests() if suite == "quick" else [])]
+                code, said = self.run(["ctest", "--preset", "release", "--stop-on-failure", "--parallel", self.jobs, "--exclude-regex", "|".join(left_out), *chosen], until)
                 found = FAILED.search(said)
                 if found:
                     return TIMED_OUT if found[2] == "Timeout" else CAUGHT, suite, found[1]
                 if code:
                     raise RuntimeError(f"ctest ended with {code} and names no test:\n{said[-2000:]}")
+                self.said = said
         except subprocess.TimeoutExpired:
             return TIMED_OUT, suite, ""
         return SURVIVED, "", ""
@@ -104,18 +109,35 @@ class Bench:
         ended = (NO_BUILD, "", first_error(said)) if code else self.outcome([("all", (), ())])
         if ended[0] == SURVIVED:
             passed.parent.mkdir(exist_ok=True)
+            (self.tree / SLOW_TESTS).write_text("".join(f"{name}\n" for name, seconds in TOOK.findall(self.said) if float(seconds) > QUICK))
             passed.write_text(today)
         return ended
 
-    def try_fault(self, fault):
+    def slow_tests(self):
+        path = self.tree / SLOW_TESTS
+        return [exactly(name) for name in path.read_text().splitlines()] if path.is_file() else []
+
+    def try_fault(self, fault, seen_by=""):
+        """seen_by: the test that caught it in another program, if any."""
         path = self.tree / fault.file
         kept = path.read_bytes()
         path.write_bytes(kept.replace(fault.text.encode(), fault.replacement.encode()))
-        own = ("folder", TARGETS.get(fault.folder, (f"{fault.folder}_tests",)), ("--no-tests=ignore", "--label-regex", LABELS.get(fault.folder, f"^{fault.folder}$")))
+        targets = TARGETS.get(fault.folder, (f"{fault.folder}_tests",))
+        own = ("--no-tests=ignore", "--label-regex", LABELS.get(fault.folder, f"^{fault.folder}$"))
+        suites = [("quick", targets, own), ("folder", targets, own), ("all", (), ())]
+        is_own = seen_by.startswith(f"{fault.folder}:") and fault.folder != "scripts"
+        if seen_by:
+            suites.insert(0, ("known", targets if is_own else (), ("--no-tests=ignore", "--tests-regex", exactly(seen_by))))
         try:
-            return self.outcome([own, ("all", (), ())])
+            ended, suite, test = self.outcome(suites)
+            return ended, {"quick": "folder", "known": "folder" if is_own else "all"}.get(suite, suite), test
         finally:
             path.write_bytes(kept)
+
+
+def exactly(name):
+    """A regular expression of ctest's that matches this name alone."""
+    return "^" + re.sub(r"([][.*+?|^$()\\])", r"\\\1", name) + "$"
 
 
 def end_all(child):
@@ -166,8 +188,9 @@ def make(root, every, chosen, jobs, limit):
         if ended != SURVIVED:
             print(f"mutate: no fault planted: {today} as committed {'fails' if ended == CAUGHT else ended}: {test}", file=sys.stderr)
             return 1
-        for fault in lacking(chosen, rows(table), today):
-            ended, suite, test = bench.try_fault(fault)
+        known = rows(table)
+        for fault in lacking(chosen, known, today):
+            ended, suite, test = bench.try_fault(fault, known[fault.name]["test"] if known.get(fault.name, {}).get("ended") == CAUGHT else "")
             row = {"fault": fault.name, "folder": fault.folder, "drawn": "yes" if fault.drawn else "no", "ended": ended, "suite": suite, "test": test,
                    "edit": fault.edit, "program": today}
             write(table, every, rows(table) | {fault.name: row})

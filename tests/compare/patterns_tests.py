@@ -62,7 +62,7 @@ def small_md():
 
 
 def small_continuum():
-    return run("continuum", "continuum_stripes", "ch5_stripes.toml", "plate.acceleration=4.0", *STRIP, *WAVE)
+    return run("continuum", "continuum_stripes", "ch5_stripes.toml", "plate.acceleration=3.6", *STRIP, *WAVE)
 
 
 def fluid_stands_in():

@@ -2,6 +2,7 @@
 // Gases against kinetic theory: self-diffusion, the fourth cumulant of a cooling gas, and how late cooling goes where
 // slow contacts are elastic. Tolerances in standard errors of independent blocks or seeds.
 #include <cmath>
+#include <numbers>
 #include <vector>
 
 #include "md/hard_sphere_theory.hpp"
@@ -54,15 +55,25 @@ TEST_CASE("above freezing the theory goes on as the crystal's, positive and with
     CHECK(theory::compressibility(0.6) == Approx(15.521524).margin(1e-6));
     CHECK(theory::compressibility(0.7) == Approx(54.467360).margin(1e-6));
     CHECK(theory::compressibility_fluid(0.6) < 0.0);
-    // Both branches rise with density, and rates are those of a gas everywhere.
-    double before = 0.0;
+    // Pressure, rate and Enskog's viscosity rise with density on each branch, the last from that of the dilute gas.
+    const double dilute_viscosity = 5.0 / (16.0 * std::sqrt(std::numbers::pi));
+    double z_before = 0.0, rate_before = 0.0, viscosity_before = dilute_viscosity;
     for (int thousandths = 10; thousandths < 740; ++thousandths) {
-        const double phi = 0.001 * thousandths, z = theory::compressibility(phi);
+        const double phi = 0.001 * thousandths;
         INFO("volume fraction " << phi);
-        if (phi < theory::freezing || phi > theory::melting) CHECK(z > before);
-        CHECK(theory::collision_rate(phi) > 0.0);
-        CHECK(theory::viscosity(phi) > 0.0);
-        before = phi < theory::freezing || phi > theory::melting ? z : 0.0;
+        const double z = theory::compressibility(phi), rate = theory::collision_rate(phi),
+                     viscosity = theory::viscosity(phi);
+        if (phi > theory::freezing && phi < theory::melting) {
+            z_before = rate_before = 0.0;  // of the other branch
+            viscosity_before = dilute_viscosity;
+            continue;
+        }
+        CHECK(z > z_before);
+        CHECK(rate > rate_before);
+        CHECK(viscosity > viscosity_before);
+        z_before = z;
+        rate_before = rate;
+        viscosity_before = viscosity;
     }
 }
 

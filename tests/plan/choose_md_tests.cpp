@@ -47,3 +47,26 @@ TEST_CASE("a plan's promise holds with two seeds") {
     const double each = grains->seconds_once + plan::seconds_of(*grains, md.settle + md.average);
     CHECK(md.seconds == Approx(seeds * (trials.start_of_program() + each)).epsilon(1e-12));
 }
+
+TEST_CASE("the MD of grains that may collapse keeps the scene's cell, whatever one trial does") {
+    const scene::Scene scene = scene::read_scene(
+        support::small_scene,
+        {"box.x=12", "box.y=12", "particles.number=288", "particles.restitution=0.79", "initial.volume_fraction=0.1"});
+    plan::ContinuumPlan flat = settled_after(2);
+    flat.dimension = 1;
+    plan::Trials trials(scene, 0.3);
+    const plan::MdPlan md = plan::choose_md(trials, flat, 0.1);  // the small cell's error would be small enough
+    CHECK(md.box_x == 12.0);
+    CHECK(md.particles == 288);
+    CHECK(md.small_cell_may_collapse);
+    CHECK(md.cell == 0.0);
+}
+
+TEST_CASE("errors of the continuum that cancel on the trial's grids are counted all the same") {
+    plan::ContinuumPlan continuum;
+    continuum.grid = 0.003;
+    continuum.lid_error = 0.004;
+    CHECK(continuum.error() == Approx(0.005).epsilon(1e-14));  // round-off
+    continuum.together.fill(0.007);                            // of one sign they add
+    CHECK(continuum.error() == Approx(0.007).epsilon(1e-14));
+}

@@ -40,6 +40,14 @@ TEST_CASE("a flat layer's cell keeps the particles an area, and never grows") {
     CHECK(plan::flat_box(narrow).number == 384);
 }
 
+TEST_CASE("grains of a low constant restitution may collapse in a small cell, unless a law or a remedy keeps them") {
+    const std::string constant = "particles.restitution=0.84";
+    CHECK(plan::may_collapse(stripes({constant})));
+    CHECK_FALSE(plan::may_collapse(stripes({"particles.restitution=0.85"})));
+    CHECK_FALSE(plan::may_collapse(stripes({})));  // e(v), elastic at rest
+    CHECK_FALSE(plan::may_collapse(stripes({constant, "particles.collapse=contact_time"})));
+}
+
 TEST_CASE("an error is a share or a percentage, and nothing else") {
     CHECK(plan::share_of("1%") == 0.01);
     CHECK(plan::share_of("0.01") == 0.01);

@@ -27,7 +27,9 @@ failed() { printf 'The following tests FAILED:\\n\\t  1 - %s (%s)\\nErrors while
 [ ! -e ../cut ] || { rm ../cut; kill -TERM $PPID; exec sleep 60; }
 grep -q 'one plus' md/sum.txt || failed 'md: one is added (of two)' Failed
 if grep -q slow md/sum.txt; then failed 'md: it ends' Timeout; fi
-case "$*" in *--label-regex*) ;; *) grep -q 'plus two' md/sum.txt || failed 'app: two is added' SEGFAULT ;; esac
+case "$*" in *--label-regex* | *--tests-regex*) ;; *) grep -q 'plus two' md/sum.txt || failed 'app: two is added' SEGFAULT ;; esac
+echo '  1/2 Test  #1: md: two (slow). .....   Passed    1.20 sec'
+echo '  2/2 Test  #2: md: three ...........   Passed    0.90 sec'
 """
 FAULT = """[[fault]]
 name = "{name}"
@@ -116,8 +118,21 @@ class Mutate(unittest.TestCase):
     def test_the_tests_of_the_folder_come_first_and_the_one_of_the_list_never(self):
         self.mutate("--only", "others")
         calls = (self.root / "build/ctest_calls").read_text().splitlines()
-        self.assertEqual(["--label-regex ^md$" in call for call in calls], [False, True, False])
+        self.assertEqual(["--label-regex ^md$" in call for call in calls], [False, True, True, False])
         self.assertTrue(all("--exclude-regex ^mutate:" in call and "--stop-on-failure" in call for call in calls))
+        # The quick tests of the folder before those that took over a second.
+        self.assertEqual([r"|^md: two \(slow\)\.$" in call for call in calls], [False, True, False, False])
+
+    def test_the_test_that_caught_it_in_another_program_comes_first(self):
+        self.mutate("--only", "own")
+        (self.root / "app/main.cpp").write_text("int main() {}\n")
+        self.commit()
+        self.calls()
+        self.mutate("--only", "own")
+        calls = (self.root / "build/ctest_calls").read_text().splitlines()
+        self.assertEqual(len(calls), 2)  # as it is, and with the fault
+        self.assertIn(r"--tests-regex ^md: one is added \(of two\)$", calls[1])
+        self.assertEqual(self.rows()["own"], ("caught", "folder", "md: one is added (of two)"))
 
     def test_a_survivor_that_says_why_is_no_failure(self):
         self.list([FAULTS[2] | dict(more="survives = 'nobody reads it'")])
@@ -154,7 +169,7 @@ class Mutate(unittest.TestCase):
         self.assertEqual((self.root / "build/mutate/md/sum.txt").read_text(), SUM)
         self.calls()
         code, said, _ = self.mutate("--only", "own", "--only", "others")
-        self.assertEqual((code, said, self.calls()), (0, ["others: caught by app: two is added"], 2))
+        self.assertEqual((code, said, self.calls()), (0, ["others: caught by app: two is added"], 3))
 
     def test_what_a_killed_run_left_planted_is_taken_back(self):
         self.mutate("--only", "own")
