@@ -9,7 +9,7 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "continuum/evolution.hpp"
+#include "continuum/step/evolution.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_state.hpp"
 #include "scene/errors.hpp"

@@ -2,7 +2,7 @@
 #include <cmath>
 
 #include "continuum/errors.hpp"
-#include "continuum/evolution.hpp"
+#include "continuum/step/evolution.hpp"
 #include "continuum/initial_state.hpp"
 #include "continuum/solver.hpp"
 #include "files/checkpoint.hpp"

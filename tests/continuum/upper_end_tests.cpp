@@ -5,7 +5,7 @@
 #include <numbers>
 
 #include "continuum/closures/closures.hpp"
-#include "continuum/evolution.hpp"
+#include "continuum/step/evolution.hpp"
 #include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
 #include "scene/errors.hpp"
