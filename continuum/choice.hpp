@@ -11,9 +11,24 @@
 
 namespace shaken::continuum {
 
+/// What a list says of one of its types.
+struct Described {
+    std::string name, words;
+    std::string reference;  // empty where the words say all
+};
+
 template <class... Types>
 struct Choices {
     static std::vector<std::string> names() { return {std::string(Types::name)...}; }
+    static std::vector<Described> described() { return {describe<Types>()...}; }
+
+  private:
+    template <class Type>
+    static Described describe() {
+        Described type{std::string(Type::name), std::string(Type::words), {}};
+        if constexpr (requires { Type::reference; }) type.reference = Type::reference;
+        return type;
+    }
 };
 
 /// Calls use(T{}) for the T of the list that carries the chosen name and returns what it returns. Throws

@@ -2,6 +2,7 @@
 #include "continuum/ftcs/ftcs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -37,17 +38,16 @@ void cells_to_nodes(const double* cell, double* node, std::int64_t cells) {
 
 void Ftcs::refuse_closure(const scene::Continuum& choices) {
     const scene::Choice& closure = choices.closure;
-    if (closure.name == JenkinsRichmanDense::name) return;
-    const std::vector<std::string> known = Closures::names();
-    if (std::find(known.begin(), known.end(), closure.name) == known.end())
-        throw scene::unknown_choice("continuum.closure", closure, known);
+    if (!traits_of(closure).carries_between_contacts) return;
+    std::vector<std::string> can_run = Closures::names();
+    std::erase_if(can_run, [](const auto& name) { return traits_of({name, {}}).carries_between_contacts; });
     const bool written = !closure.place.source.empty();
     const bool by_default = !written && closure.name == scene::Continuum{}.closure.name;
     throw scene::SceneError(
         written ? closure.place : choices.scheme.place,
         fmt::format("continuum.scheme = \"ftcs\" cannot run continuum.closure = \"{}\"{}, whose terms in 1/G ask for "
                     "steps of no length where the gas is thin; it can run \"{}\"",
-                    closure.name, by_default ? ", the default" : "", JenkinsRichmanDense::name));
+                    closure.name, by_default ? ", the default" : "", fmt::join(can_run, "\", \"")));
 }
 
 Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
