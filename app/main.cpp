@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "app/bench_command.hpp"
+#include "app/closure_command.hpp"
 #include "app/compare_command.hpp"
 #include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
@@ -118,6 +119,20 @@ void add_fit_noise_options(CLI::App& command, FitNoiseOptions& options) {
     command.add_option("--draws", options.draws, "of the bootstrap; default 200")->check(CLI::Range(2, 1000000));
 }
 
+void add_closure_options(CLI::App& command, ClosureOptions& options) {
+    auto* name = command.add_option("NAME", options.name, "of the closure; without: the list of them");
+    auto* nu = command.add_option("--nu", options.volume_fractions, "volume fraction; several, separated by commas")
+                   ->delimiter(',')
+                   ->needs(name);
+    command.add_option("--T", options.temperature, "granular temperature in g sigma; default 1")->needs(name);
+    command.add_option("--e", options.restitution, "constant coefficient of restitution; default 1")->needs(name);
+    command.add_option("--pair-correlation", options.pair_correlation, "at contact; default goldshtein")->needs(name);
+    command.add_flag("--json", options.json, "one line of JSON");
+    command.callback([name, nu] {
+        if (*name && !*nu) throw CLI::RequiredError("--nu");
+    });
+}
+
 void add_plan_options(CLI::App& command, PlanOptions& options) {
     command.add_option("SCENE", options.scene_file, "scene file (TOML)")->required();
     auto* error = command.add_option("--error", options.error, "wished error of z_cm(ft), 1% or 0.01, of each engine");
@@ -207,6 +222,9 @@ int dispatch(int argc, char** argv) {
     PlanOptions plan_options;
     auto* plan = command.add_subcommand("plan", "propose grid, cycles and seeds of a scene for a wished error or time");
     add_plan_options(*plan, plan_options);
+    ClosureOptions closure_options;
+    auto* closure = command.add_subcommand("closure", "pressure, sound and transport of a gas by a closure's name");
+    add_closure_options(*closure, closure_options);
     auto* scene_command = command.add_subcommand("scene", "print the resolved scene, or the list of all keys");
     bool list_keys = false;
     auto* scene_file = scene_command->add_option("SCENE", options.scene_file, "scene file (TOML)");
@@ -270,6 +288,7 @@ int dispatch(int argc, char** argv) {
     if (*swift_hohenberg) code = run_swift_hohenberg(model_options);
     if (*fit_noise) code = run_fit_noise(fit_options);
     if (*plan) code = run_plan(plan_options);
+    if (*closure) code = run_closure(closure_options);
     if (*report) code = run_report(folder);
     if (*scene_command)
         fmt::print("{}", list_keys ? every_key()
