@@ -40,9 +40,9 @@ constexpr std::array<Column, 7> columns{{
      [](const ClosureValues& v) { return v.cooling; }},
 }};
 
-nlohmann::ordered_json described(const std::vector<continuum::Described>& list) {
+nlohmann::ordered_json described(const std::vector<scene::Name>& list) {
     nlohmann::ordered_json all = nlohmann::ordered_json::array();
-    for (const continuum::Described& one : list)
+    for (const scene::Name& one : list)
         all.push_back({{"name", one.name}, {"words", one.words}, {"reference", one.reference}});
     return all;
 }
@@ -55,10 +55,9 @@ int print_list(bool json) {
             nlohmann::ordered_json{{"closures", described(closures)}, {"pair_correlations", described(pairs)}}.dump());
         return exit_code::done;
     }
-    const auto print = [](const char* title, const std::vector<continuum::Described>& list) {
+    const auto print = [](const char* title, const std::vector<scene::Name>& list) {
         fmt::print("{}\n", title);
-        for (const continuum::Described& one : list)
-            fmt::print("  {:<24} {}. {}\n", one.name, one.words, one.reference);
+        for (const scene::Name& one : list) fmt::print("  {:<24} {}. {}\n", one.name, one.words, one.reference);
     };
     print("closures (continuum.closure)", closures);
     print("pair correlations (continuum.pair_correlation)", pairs);

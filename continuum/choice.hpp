@@ -8,24 +8,20 @@
 #include <vector>
 
 #include "scene/errors.hpp"
+#include "scene/parameters.hpp"
 
 namespace shaken::continuum {
-
-/// What a list says of one of its types.
-struct Described {
-    std::string name, words;
-    std::string reference;  // empty where the words say all
-};
 
 template <class... Types>
 struct Choices {
     static std::vector<std::string> names() { return {std::string(Types::name)...}; }
-    static std::vector<Described> described() { return {describe<Types>()...}; }
+    /// Names with words and references.
+    static std::vector<scene::Name> described() { return {describe<Types>()...}; }
 
   private:
     template <class Type>
-    static Described describe() {
-        Described type{std::string(Type::name), std::string(Type::words), {}};
+    static scene::Name describe() {
+        scene::Name type{std::string(Type::name), std::string(Type::words), {}};
         if constexpr (requires { Type::reference; }) type.reference = Type::reference;
         return type;
     }

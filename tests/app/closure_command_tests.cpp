@@ -47,13 +47,19 @@ TEST_CASE("without --json a closure is a table, and without a name there is the 
     CHECK(list.code == 0);
     CHECK_THAT(list.text, Contains("jenkins_richman_dense") && Contains("Bougie 2004") &&
                               Contains("carnahan_starling") && Contains("Torquato 1995"));
-    CHECK(nlohmann::json::parse(shaken("closure --json").text)["closures"].size() == 5);
+    const auto all = nlohmann::json::parse(shaken("closure --json").text);
+    for (const char* kind : {"closures", "pair_correlations"}) {
+        CHECK_FALSE(all[kind].empty());
+        for (const auto& one : all[kind])
+            for (const char* said : {"name", "words", "reference"}) CHECK_FALSE(one[said].get<std::string>().empty());
+    }
 }
 
 TEST_CASE("what no closure has ends with 2 and says what is meant") {
     const auto mistyped = shaken("closure garzo_duffy --nu 0.4");
     CHECK(mistyped.code == 2);
     CHECK_THAT(mistyped.text, Contains("did you mean \"garzo_dufty\"?"));
+    CHECK_THAT(shaken("closure garzo --nu 0.4").text, Contains("did you mean \"garzo_dufty\"?"));
     CHECK_THAT(shaken("closure garzo_dufty --nu 0.4 --pair-correlation goldstein").text,
                Contains("did you mean \"goldshtein\"?"));
     CHECK(shaken("closure garzo_dufty").code == 2);

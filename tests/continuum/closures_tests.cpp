@@ -173,7 +173,7 @@ TEST_CASE("what a closure says of itself is what its formulas do") {
         const double of_maxwellian = closure_values({"jenkins_richman", {}}, {"goldshtein", {}}, 0.3, 1.0, 0.8).cooling;
         CHECK(at(0.3).cooling / of_maxwellian == Approx(traits.cooling_share(0.8)).epsilon(1e-14));  // round-off
     }
-    for (const Described& closure : Closures::described()) {
+    for (const scene::Name& closure : Closures::described()) {
         INFO(closure.name);
         CHECK_FALSE(closure.words.empty());
         CHECK_FALSE(closure.reference.empty());

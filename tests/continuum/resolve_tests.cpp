@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continuum/ftcs/ftcs.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/solver.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
@@ -34,7 +35,7 @@ lid = 40.0
 )";
 
 scene::Scene with(const std::vector<std::string>& changes, const std::string& more = "") {
-    return scene::parse_scene(layer + more, "layer.toml", changes);
+    return continuum::parse_scene(layer + more, "layer.toml", changes);
 }
 
 const std::vector<std::string> ftcs{"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense"};
@@ -130,5 +131,5 @@ TEST_CASE("what is printed resolves to itself") {
     const scene::Scene once = resolve(with(changes));
     const std::string printed = scene::print_scene(once);
     CHECK(scene::print_scene(resolve(once)) == printed);
-    CHECK(scene::print_scene(resolve(scene::parse_scene(printed, "printed.toml"))) == printed);
+    CHECK(scene::print_scene(resolve(continuum::parse_scene(printed, "printed.toml"))) == printed);
 }

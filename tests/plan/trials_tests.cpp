@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "plan/trials.hpp"
 
+#include "compare/scenes.hpp"
 #include "md/errors.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 
 using namespace shaken;
 
 TEST_CASE("a trial whose grains collapse is none, and says why where there must be one") {
-    const scene::Scene scene = scene::read_scene(support::small_scene, {"particles.restitution=0.3"});
+    const scene::Scene scene = compare::read_scene(support::small_scene, {"particles.restitution=0.3"});
     plan::Trials trials(scene, 1.0);
     CHECK(trials.grains(scene, 2, false) == nullptr);
     CHECK(trials.grains(scene, 2, false) == nullptr);
@@ -17,7 +17,7 @@ TEST_CASE("a trial whose grains collapse is none, and says why where there must 
 }
 
 TEST_CASE("a trial is made once, and tells what every run of its length takes besides its cycles") {
-    const scene::Scene scene = scene::read_scene(support::small_scene, {});
+    const scene::Scene scene = compare::read_scene(support::small_scene, {});
     plan::Trials trials(scene, 0.01);
     const plan::Grains* grains = trials.grains(scene, 2, false);
     REQUIRE(grains);
