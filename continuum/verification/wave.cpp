@@ -45,6 +45,13 @@ std::complex<double> mode(const std::vector<double>& field) {
 
 }  // namespace
 
+// The wave starts with the eigenvector of an undamped one; what is left of it as two others is gone or small after a
+// third of the time, and over a whole number of periods a wave the other way leaves no trace in the mean.
+PeriodsOfWave periods_of_wave(double time, double period) {
+    const double begin = std::max(1.0, std::round(time / (3.0 * period))) * period;
+    return {begin, begin + std::max(1.0, std::round((time - begin) / period)) * period};
+}
+
 void check_wave(const scene::Scene& scene, Method& method, double shortest, Verification& v) {
     const EquationOfState state = state_of(scene);
     const double nu = scene.tube.gas.volume_fraction, temperature = scene.tube.gas.temperature;
@@ -57,11 +64,8 @@ void check_wave(const scene::Scene& scene, Method& method, double shortest, Veri
         scene.continuum.transport.name == "inviscid"
             ? 0.0
             : exact::sound_attenuation(nu / sphere_volume, transport, state.specific_heat_at_constant_pressure(nu));
-    // The wave starts with the eigenvector of an undamped one; what is left of it as two others is gone or small after
-    // a third of the time, and over a whole number of periods a wave the other way leaves no trace in the mean.
     const double period = scene.tube.length / speed;
-    const double begin = std::max(1.0, std::round(scene.tube.time / (3.0 * period))) * period;
-    const double end = begin + std::max(1.0, std::round((scene.tube.time - begin) / period)) * period;
+    const auto [begin, end] = periods_of_wave(scene.tube.time, period);
     advance(method, 0.0, begin, shortest);
     const std::complex<double> first = mode(inside(method).volume_fraction);
     constexpr int looks = 16;

@@ -60,6 +60,19 @@ TEST_CASE("the page of keys is what the command makes") {
     CHECK(support::content_of(SHAKEN_SOURCE_DIR "/docs/scene_keys.md") == shaken("scene --keys --markdown").text);
 }
 
+TEST_CASE("a flow with a known future leaves the scene that ran") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "a").string(), scene = SHAKEN_SOURCE_DIR "/data/scenes/verify_piston.toml";
+    const std::string changes = " --set continuum.spacing=0.3 --set tube.time=0.1";
+    REQUIRE(shaken("continuum " + scene + changes + " --out " + out).code == 0);
+    const std::string said = support::content_of(out + "/scene.toml");
+    CHECK(said == shaken("scene " + scene + changes).text);
+    CHECK_THAT(said, Contains("spacing = 0.3030303") && !Contains("closure") && !Contains("artificial_dissipation"));
+    CHECK(
+        shaken("continuum " + scene + changes + " --set continuum.closure=garzo_dufty --overwrite --out " + out).code ==
+        65);
+}
+
 TEST_CASE("a name that no table has is refused with its place before anything runs long") {
     const support::TemporaryFolder folder;
     const auto result =
