@@ -11,9 +11,9 @@
 #include "app/exit_codes.hpp"
 #include "app/md_run.hpp"
 #include "app/options.hpp"
+#include "compare/scenes.hpp"
 #include "continuum/benchmark.hpp"
 #include "md/benchmark.hpp"
-#include "scene/read_scene.hpp"
 
 namespace shaken::app {
 
@@ -53,7 +53,7 @@ int run_md_bench(const MdBench& bench) {
         system.seed = bench.seed;
         result = md::benchmark(system, bench.collisions);
     } else {
-        const scene::Scene scene = scene::read_scene(bench.scene_file, bench.overrides);
+        const scene::Scene scene = compare::read_scene(bench.scene_file, bench.overrides);
         result = md::benchmark(scene, bench.settle, bench.cycles, md_options_of(scene));
     }
     const nlohmann::ordered_json line{{"particles", result.particles},

@@ -19,6 +19,7 @@
 #include "compare/independence.hpp"
 #include "compare/layout.hpp"
 #include "compare/medium.hpp"
+#include "compare/scenes.hpp"
 #include "compare/summary.hpp"
 #include "compare/validity.hpp"
 #include "fields/height_maps.hpp"
@@ -111,20 +112,7 @@ Notes notes_of(const files::Hdf5File& file) {
 }
 
 scene::Scene scene_of(const files::Hdf5File& file, const std::filesystem::path& path) {
-    return scene::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
-}
-
-/// The part of a scene that makes two runs runs of one layer, sampled alike.
-std::string what_both_engines_share(scene::Scene scene) {
-    const scene::Scene any;
-    scene.name = any.name;
-    scene.initial = any.initial;
-    scene.md = any.md;
-    scene.continuum = any.continuum;
-    scene.sample.settle = any.sample.settle;
-    scene.sample.average = any.sample.average;
-    scene.sample.frames = any.sample.frames;
-    return scene::print_scene(scene);
+    return compare::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
 }
 
 /// The averages of a run, the higher of two cycles first, and what is found of its period beside that of the runs
@@ -221,11 +209,9 @@ int run_compare(const CompareOptions& options) {
     for (const std::filesystem::path& md_folder : md_folders) {
         const files::Hdf5File file = open_output(md_folder, "md");
         const scene::Scene own = scene_of(file, md_folder / "md.h5");
-        if (what_both_engines_share(own) != what_both_engines_share(scene)) {
-            throw files::Damaged(
-                fmt::format("{} and {}: runs of different scenes; only seeds, start, length and [continuum] may differ",
-                            (md_folder / "md.h5").string(), (continuum_folder / "continuum.h5").string()));
-        }
+        const compare::RecordedRun run{"md", md_folder / "md.h5", own};
+        compare::refuse_other_experiment(run, {"continuum", continuum_folder / "continuum.h5", scene});
+        if (!runs.empty()) compare::refuse_other_experiment({"md", runs.front().path, runs.front().scene}, run);
         try {
             const fields::PhaseMoments moments = moments_of(file, options.first_cycle, own, md_periods);
             runs.push_back({md_folder / "md.h5", own, moments.centre_of_mass()});

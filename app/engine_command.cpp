@@ -16,6 +16,7 @@
 #include "app/start_keys.hpp"
 #include "app/uniform_run.hpp"
 #include "app/verification_run.hpp"
+#include "compare/scenes.hpp"
 #include "continuum/errors.hpp"
 #include "continuum/resolve.hpp"
 #include "files/atomic_write.hpp"
@@ -83,7 +84,7 @@ int finish(Run& run, const scene::Scene& scene, const EngineFiles& files, const 
 
 template <class Run>
 int start(const std::string& engine, const EngineOptions& options) {
-    scene::Scene scene = scene::read_scene(options.scene_file, options.overrides);
+    scene::Scene scene = compare::read_scene(options.scene_file, options.overrides);
     // A child of `run` prints what its parent has printed, resolved for both engines.
     if (engine == "continuum" || options.as_child) scene = continuum::resolve(std::move(scene));
     if (engine == "continuum" && (is_verification(scene.kind) || scene.kind == scene::Kind::uniform))
@@ -133,7 +134,7 @@ int resume(const std::string& engine, const EngineOptions& options) {
                                          in.take_text("engine"), engine));
     }
     refuse_edited_scene(files.folder / "scene.toml", in.take_text("scene"));
-    const scene::Scene scene = scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)");
+    const scene::Scene scene = compare::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)");
     Run run(scene);
     run.restore(in);
     if (run.next_sample() == run.samples() && files::Hdf5File::is_readable(files.output())) {
@@ -151,11 +152,11 @@ int start_or_resume(const std::string& engine, const EngineOptions& options) {
 /// Of the scene to start with, or of the one begun with; a checkpoint that cannot be read is refused by whoever resumes
 /// from it.
 scene::Kind kind_of(const EngineOptions& options) {
-    if (options.resume.empty()) return scene::read_scene(options.scene_file, options.overrides).kind;
+    if (options.resume.empty()) return compare::read_scene(options.scene_file, options.overrides).kind;
     const EngineFiles files{options.resume, "md"};
     if (!std::filesystem::exists(files.checkpoint())) return scene::Kind::layer;
     const files::CheckpointReader in(files.checkpoint());
-    return scene::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)").kind;
+    return compare::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)").kind;
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include <cstdio>
 
 #include "app/bench_command.hpp"
+#include "app/closure_command.hpp"
 #include "app/compare_command.hpp"
 #include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
@@ -18,11 +19,13 @@
 #include "app/plan_command.hpp"
 #include "app/run_command.hpp"
 #include "app/swift_hohenberg_command.hpp"
-#include "continuum/names.hpp"
+#include "compare/scenes.hpp"
 #include "continuum/resolve.hpp"
 #include "files/errors.hpp"
 #include "md/errors.hpp"
 #include "scene/errors.hpp"
+#include "scene/key_reference.hpp"
+#include "scene/parameters.hpp"
 #include "scene/read_scene.hpp"
 #include "shaken_version.hpp"
 
@@ -118,6 +121,20 @@ void add_fit_noise_options(CLI::App& command, FitNoiseOptions& options) {
     command.add_option("--draws", options.draws, "of the bootstrap; default 200")->check(CLI::Range(2, 1000000));
 }
 
+void add_closure_options(CLI::App& command, ClosureOptions& options) {
+    auto* name = command.add_option("NAME", options.name, "of the closure; without: the list of them");
+    auto* nu = command.add_option("--nu", options.volume_fractions, "volume fraction; several, separated by commas")
+                   ->delimiter(',')
+                   ->needs(name);
+    command.add_option("--T", options.temperature, "granular temperature in g sigma; default 1")->needs(name);
+    command.add_option("--e", options.restitution, "constant coefficient of restitution; default 1")->needs(name);
+    command.add_option("--pair-correlation", options.pair_correlation, "at contact; default goldshtein")->needs(name);
+    command.add_flag("--json", options.json, "one line of JSON");
+    command.callback([name, nu] {
+        if (*name && !*nu) throw CLI::RequiredError("--nu");
+    });
+}
+
 void add_plan_options(CLI::App& command, PlanOptions& options) {
     command.add_option("SCENE", options.scene_file, "scene file (TOML)")->required();
     auto* error = command.add_option("--error", options.error, "wished error of z_cm(ft), 1% or 0.01, of each engine");
@@ -149,12 +166,44 @@ std::string unknown_command(const CLI::App& command, int argc, char** argv) {
     return near.empty() ? message : message + fmt::format("; did you mean {}?", near);
 }
 
-/// The keys of a scene, and the names that those chosen by name can have.
-std::string every_key() {
-    std::string text = scene::list_parameters() + "\n# names in [continuum]\n";
-    for (const auto& [key, names] : continuum::known_names())
-        text += fmt::format("# {}: {}\n", key, fmt::join(names, ", "));
-    return text;
+struct SceneOptions {
+    std::filesystem::path scene_file;
+    std::vector<std::string> overrides;
+    bool keys = false, markdown = false;
+    std::string kind;  // of --keys; empty: every kind
+};
+
+void add_scene_options(CLI::App& command, SceneOptions& options) {
+    auto* scene_file = command.add_option("SCENE", options.scene_file, "scene file (TOML)");
+    command.add_option("--set", options.overrides, "section.key=value, wins over the file")
+        ->take_all()
+        ->allow_extra_args(false);
+    auto* keys = command
+                     .add_flag("--keys", options.keys,
+                               "every key of every kind with its unit, range, default and meaning, and every name")
+                     ->excludes(scene_file);
+    auto* kind = command.add_option("--kind", options.kind, "of --keys: this kind alone")
+                     ->check(CLI::IsMember(scene::kind_names()))
+                     ->needs(keys);
+    command.add_flag("--markdown", options.markdown, "of --keys: as docs/scene_keys.md")->needs(keys)->excludes(kind);
+    command.callback([&options] {
+        if (!options.keys && options.scene_file.empty()) throw CLI::RequiredError("SCENE (or --keys)");
+    });
+}
+
+/// A commented scene of each kind, or of one, and the names that keys are chosen from.
+std::string keys_as_scenes(const std::string& of_kind) {
+    std::string text;
+    for (std::size_t k = 0; k < scene::kind_names().size(); ++k)
+        if (of_kind.empty() || of_kind == scene::kind_names()[k])
+            text += scene::list_parameters(static_cast<scene::Kind>(k), compare::both_engines()) + "\n";
+    return text + scene::list_names(compare::both_engines());
+}
+
+std::string scene_as_text(const SceneOptions& options) {
+    if (options.markdown) return scene::key_reference(compare::both_engines());
+    if (options.keys) return keys_as_scenes(options.kind);
+    return scene::print_scene(continuum::resolve(compare::read_scene(options.scene_file, options.overrides)));
 }
 
 /// To stderr, whether or not it can be written: the exit code says it too.
@@ -207,14 +256,12 @@ int dispatch(int argc, char** argv) {
     PlanOptions plan_options;
     auto* plan = command.add_subcommand("plan", "propose grid, cycles and seeds of a scene for a wished error or time");
     add_plan_options(*plan, plan_options);
+    ClosureOptions closure_options;
+    auto* closure = command.add_subcommand("closure", "pressure, sound and transport of a gas by a closure's name");
+    add_closure_options(*closure, closure_options);
     auto* scene_command = command.add_subcommand("scene", "print the resolved scene, or the list of all keys");
-    bool list_keys = false;
-    auto* scene_file = scene_command->add_option("SCENE", options.scene_file, "scene file (TOML)");
-    scene_command->add_option("--set", options.overrides, "section.key=value, wins over the file")
-        ->take_all()
-        ->allow_extra_args(false);
-    scene_command->add_flag("--keys", list_keys, "every key with its unit, range, default and meaning")
-        ->excludes(scene_file);
+    SceneOptions scene_options;
+    add_scene_options(*scene_command, scene_options);
 
     auto* bench = command.add_subcommand("bench", "how fast the engines are on this machine, as one line of JSON");
     bench->require_subcommand(1);
@@ -252,7 +299,6 @@ int dispatch(int argc, char** argv) {
         return refuse_usage(message);
     try {
         command.parse(argc, argv);
-        if (*scene_command && !list_keys && options.scene_file.empty()) throw CLI::RequiredError("SCENE (or --keys)");
     } catch (const CLI::ParseError& error) {
         if (error.get_exit_code() == 0) return command.exit(error);  // --help, --version
         return refuse_usage(error.what());
@@ -270,11 +316,9 @@ int dispatch(int argc, char** argv) {
     if (*swift_hohenberg) code = run_swift_hohenberg(model_options);
     if (*fit_noise) code = run_fit_noise(fit_options);
     if (*plan) code = run_plan(plan_options);
+    if (*closure) code = run_closure(closure_options);
     if (*report) code = run_report(folder);
-    if (*scene_command)
-        fmt::print("{}", list_keys ? every_key()
-                                   : scene::print_scene(
-                                         continuum::resolve(scene::read_scene(options.scene_file, options.overrides))));
+    if (*scene_command) fmt::print("{}", scene_as_text(scene_options));
     return code;
 }
 

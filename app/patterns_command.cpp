@@ -11,10 +11,10 @@
 #include "app/exit_codes.hpp"
 #include "app/options.hpp"
 #include "compare/patterns/pattern_summary.hpp"
+#include "compare/scenes.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
-#include "scene/read_scene.hpp"
 
 namespace shaken::app {
 
@@ -24,7 +24,7 @@ constexpr const char* group = "/height_maps";
 
 compare::PatternSummary pattern_of(const files::Hdf5File& file, const std::filesystem::path& path,
                                    const PatternsOptions& options) {
-    const scene::Scene scene = scene::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
+    const scene::Scene scene = compare::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
     const fields::HeightMaps maps = fields::HeightMaps::read(file, group);
     compare::PatternWindow window;
     window.phase = options.phase;

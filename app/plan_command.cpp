@@ -7,6 +7,7 @@
 
 #include "app/exit_codes.hpp"
 #include "app/options.hpp"
+#include "compare/scenes.hpp"
 #include "continuum/resolve.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
@@ -128,7 +129,7 @@ int run_plan(const PlanOptions& options) {
         plan::Wish wish{std::nullopt, options.seconds};
         if (options.error) wish.error = plan::share_of(*options.error);
         std::vector<std::string> settings = options.overrides;
-        const scene::Scene scene = scene::read_scene(options.scene_file, settings);
+        const scene::Scene scene = compare::read_scene(options.scene_file, settings);
         const std::filesystem::path out = options.out.empty()
                                               ? std::filesystem::path(options.scene_file.stem().string() + ".plan.toml")
                                               : options.out;
@@ -139,7 +140,7 @@ int run_plan(const PlanOptions& options) {
                             out.string()));
         const Proposal p = plan::propose(scene, wish);
         settings.insert(settings.end(), p.settings.begin(), p.settings.end());
-        const scene::Scene planned = continuum::resolve(scene::read_scene(options.scene_file, settings));
+        const scene::Scene planned = continuum::resolve(compare::read_scene(options.scene_file, settings));
         const std::string commands = commands_of(p, out);
         files::write_atomically(
             out, commented(fmt::format("{}\n{}", text_of(p), commands)) + "\n" + scene::print_scene(planned));

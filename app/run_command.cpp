@@ -21,6 +21,7 @@
 #include "app/signals.hpp"
 #include "app/start_keys.hpp"
 #include "app/verification_run.hpp"
+#include "compare/scenes.hpp"
 #include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
 #include "files/atomic_write.hpp"
@@ -89,7 +90,7 @@ int run_both(const EngineOptions& options) {
     const std::filesystem::path folder = options.resume.empty() ? options.out : options.resume;
     catch_signals();
     if (options.resume.empty()) {
-        const scene::Scene scene = continuum::resolve(scene::read_scene(options.scene_file, options.overrides));
+        const scene::Scene scene = continuum::resolve(compare::read_scene(options.scene_file, options.overrides));
         refuse_verification(scene, "run");
         refuse_uniform(scene, "run");
         refuse_phase_without_file(scene);
@@ -99,7 +100,7 @@ int run_both(const EngineOptions& options) {
         files::write_atomically(folder / "scene.toml", scene::print_scene(scene));
         for (const std::string& note : notes_of_continuum_start(scene, true)) fmt::print("note: {}\n", note);
     } else {
-        scene::read_scene(folder / "scene.toml");
+        compare::read_scene(folder / "scene.toml");
     }
     const FolderLock lock(folder, "run");
     const std::array<EngineFiles, 2> files{EngineFiles{folder, "md"}, EngineFiles{folder, "continuum"}};

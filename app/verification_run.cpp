@@ -7,6 +7,7 @@
 
 #include "app/exit_codes.hpp"
 #include "app/run_folder.hpp"
+#include "continuum/resolve.hpp"
 #include "continuum/verification.hpp"
 #include "files/atomic_write.hpp"
 #include "scene/errors.hpp"
@@ -27,7 +28,8 @@ void refuse_verification(const scene::Scene& scene, const std::string& command) 
                                             command));
 }
 
-int run_verification(const scene::Scene& scene, const EngineOptions& options) {
+int run_verification(const scene::Scene& given, const EngineOptions& options) {
+    const scene::Scene scene = continuum::resolve_alone(given);
     const continuum::Verification v =
         continuum::verify(scene);  // first: a scene it refuses must cost no earlier output
     prepare_folder(options.out, options.overwrite, scene::print_scene(scene));

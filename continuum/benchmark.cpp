@@ -9,9 +9,9 @@
 #include <cmath>
 #include <stdexcept>
 
-#include "continuum/evolution.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_state.hpp"
+#include "continuum/step/evolution.hpp"
 #include "scene/errors.hpp"
 
 namespace shaken::continuum {

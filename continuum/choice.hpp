@@ -8,12 +8,23 @@
 #include <vector>
 
 #include "scene/errors.hpp"
+#include "scene/parameters.hpp"
 
 namespace shaken::continuum {
 
 template <class... Types>
 struct Choices {
     static std::vector<std::string> names() { return {std::string(Types::name)...}; }
+    /// Names with words and references.
+    static std::vector<scene::Name> described() { return {describe<Types>()...}; }
+
+  private:
+    template <class Type>
+    static scene::Name describe() {
+        scene::Name type{std::string(Type::name), std::string(Type::words), {}};
+        if constexpr (requires { Type::reference; }) type.reference = Type::reference;
+        return type;
+    }
 };
 
 /// Calls use(T{}) for the T of the list that carries the chosen name and returns what it returns. Throws

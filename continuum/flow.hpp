@@ -3,6 +3,8 @@
 // conserved; they are formed from these where they are needed, cell by cell.
 #pragma once
 
+#include <array>
+#include <string_view>
 #include <vector>
 
 #include "continuum/grid.hpp"
@@ -19,6 +21,16 @@ struct Flow {
           velocity_y(grid.size(), 0.0),
           velocity_z(grid.size(), 0.0),
           temperature(grid.size(), 1.0) {}
+
+    /// Names of the five arrays, in the order of fields().
+    static constexpr std::array<std::string_view, 5> names{"density", "velocity_x", "velocity_y", "velocity_z",
+                                                           "temperature"};
+    std::array<std::vector<double>*, 5> fields() {
+        return {&density, &velocity_x, &velocity_y, &velocity_z, &temperature};
+    }
+    std::array<const std::vector<double>*, 5> fields() const {
+        return {&density, &velocity_x, &velocity_y, &velocity_z, &temperature};
+    }
 };
 
 }  // namespace shaken::continuum

@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <cmath>
 
+#include "continuum/parameters.hpp"
 #include "fields/period.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
 #include "scene/errors.hpp"
-#include "scene/read_scene.hpp"
 
 namespace shaken::continuum {
 
@@ -108,7 +108,7 @@ StoredFlow read_profile(const files::Hdf5File& file, const std::filesystem::path
 StoredFlow read_flow(const std::filesystem::path& path, double phase) {
     const files::Hdf5File file(path, files::Open::read);
     if (!file.has("/provenance/scene")) throw files::Damaged(path.string() + ": is no output of this program");
-    const scene::Scene origin = scene::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
+    const scene::Scene origin = parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
     if (file.has("/frames/00000")) return read_frame(file, path, phase, origin);
     if (file.has("/profiles/sums")) return read_profile(file, path, phase, origin);
     throw files::Damaged(path.string() + ": holds neither /frames nor /profiles to start from");

@@ -73,10 +73,7 @@ Kernels choose_kernels(const scene::Continuum& choices) {
         choose_sweep<Pair>(kernels, choices);
         return true;
     });
-    choose(Closures{}, "continuum.closure", choices.closure, [&](auto closure) {
-        kernels.density_drives_heat = std::is_same_v<decltype(closure), GarzoDufty>;
-        return true;
-    });
+    kernels.density_drives_heat = traits_of(choices.closure).density_drives_heat;
     if (choices.transport.name != "navier_stokes" && choices.transport.name != "inviscid")
         throw scene::unknown_choice("continuum.transport", choices.transport, {"navier_stokes", "inviscid"});
     kernels.viscous = choices.transport.name == "navier_stokes";

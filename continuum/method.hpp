@@ -7,7 +7,7 @@
 
 #include "continuum/flow.hpp"
 #include "continuum/setup.hpp"
-#include "continuum/solver.hpp"
+#include "continuum/step/ledger.hpp"
 #include "files/checkpoint.hpp"
 
 namespace shaken::continuum {
@@ -47,6 +47,11 @@ class Method {
     virtual void save(files::CheckpointWriter& out) const = 0;
     virtual void restore(const files::CheckpointReader& in) = 0;
 };
+
+/// The five fields of a state in a checkpoint, whatever the method: /continuum/density, ...
+void save_flow(const Flow& flow, files::CheckpointWriter& out);
+/// Throws files::Damaged where they are not there or of another size.
+void restore_flow(Flow& flow, const files::CheckpointReader& in);
 
 /// The method that the setup's scheme names: Ftcs for "ftcs", Evolution for the finite-volume schemes. Throws
 /// scene::SceneError for unknown names.

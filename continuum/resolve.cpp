@@ -5,13 +5,18 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
 #include <string>
 #include <vector>
 
+#include "continuum/closures/equation_of_state.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_state.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/reconstruct/reconstructions.hpp"
+#include "continuum/verification.hpp"
 #include "scene/errors.hpp"
+#include "scene/text_visitor.hpp"
 
 namespace shaken::continuum {
 
@@ -48,6 +53,13 @@ void resolve_scheme(Scene& s) {
         }
         return true;
     });
+}
+
+/// A key without a part in this run: refused where it is written, and not printed.
+void leave_out(Scene& s, const std::string& key, const std::string& where) {
+    if (s.written.contains(key))
+        throw scene::refusal(s, key, fmt::format("{} has no part in {}: leave it out", key, where));
+    s.without_part.insert(key);
 }
 
 void resolve_ftcs(Scene& s) {
@@ -90,13 +102,54 @@ void resolve_grid(Scene& s) {
         c.spacing_horizontal = grid.nx > 1 ? grid.dx : grid.dy;
 }
 
+/// The whole periods of sound that a wave is followed for.
+double time_of_wave(const Scene& s) {
+    const double speed = make_equation_of_state(s.continuum.pair_correlation, s.tube.restitution)
+                             .sound_speed(s.tube.gas.volume_fraction, s.tube.gas.temperature);
+    return periods_of_wave(s.tube.time, s.tube.length / speed).end;
+}
+
+void resolve_tube(Scene& s) {
+    const auto& t = s.tube;
+    s.continuum.spacing = t.length / std::round(t.length / s.continuum.spacing);
+    if (s.continuum.scheme.name != Ftcs::name)
+        leave_out(s, "continuum.floor_density",
+                  fmt::format("continuum.scheme = \"{}\" of this kind", s.continuum.scheme.name));
+    if (s.continuum.transport.name == "inviscid" && t.restitution == 1.0)
+        leave_out(s, "continuum.closure", "an inviscid gas that does not cool");
+    if (s.kind == scene::Kind::riemann && t.lower.name != "piston")
+        leave_out(s, "tube.speed", "a tube without a piston");
+    if (s.kind == scene::Kind::column && t.wall_temperature)
+        leave_out(s, "initial.volume_fraction", "a column on a heated bottom (initial.number_per_area says how much)");
+    if (s.kind == scene::Kind::column && !t.wall_temperature)
+        leave_out(s, "initial.number_per_area",
+                  "a column without a heated bottom (initial.volume_fraction says how much)");
+    if (s.kind == scene::Kind::wave) s.tube.time = time_of_wave(s);
+}
+
 }  // namespace
+
+scene::Scene resolve_alone(scene::Scene scene) {
+    scene = resolve(std::move(scene));
+    if (scene.kind != scene::Kind::uniform) return scene;
+    if (!scene.initial.file.empty())
+        throw scene::refusal(scene, "initial.file",
+                             "initial.file has no part in the continuum of a uniform gas: it starts from "
+                             "initial.volume_fraction and temperature");
+    for (const scene::KeyText& key : scene::keys_of(scene))
+        if (!key.owner.empty() && key.owner != keys.name) scene.without_part.insert(key.full());
+    for (const char* key : {"initial.seed", "initial.file", "sample.frames"}) scene.without_part.insert(key);
+    return scene;
+}
 
 scene::Scene resolve(scene::Scene scene) {
     scene.without_part.clear();
     resolve_scheme(scene);
     if (scene.continuum.scheme.name == Ftcs::name) resolve_ftcs(scene);
-    if (scene.kind == scene::Kind::layer) resolve_grid(scene);
+    if (scene.kind == scene::Kind::layer)
+        resolve_grid(scene);
+    else if (scene.kind != scene::Kind::uniform)
+        resolve_tube(scene);
     return scene;
 }
 

@@ -78,12 +78,12 @@ double Solver::spacing_z() const { return parts_->method->grid().dz; }
 ColumnView Solver::column(std::int64_t ix, std::int64_t iy) const {
     const Grid& grid = parts_->method->grid();
     const Flow& flow = parts_->method->flow();
-    const auto inside = [&](const std::vector<double>& field) {
-        return std::span<const double>(field.data() + grid.first(grid.column(ix, iy)),
+    const auto inside = [&](const std::vector<double>* field) {
+        return std::span<const double>(field->data() + grid.first(grid.column(ix, iy)),
                                        static_cast<std::size_t>(grid.nz));
     };
-    return {inside(flow.density), inside(flow.velocity_x), inside(flow.velocity_y), inside(flow.velocity_z),
-            inside(flow.temperature)};
+    const auto [density, velocity_x, velocity_y, velocity_z, temperature] = flow.fields();
+    return {inside(density), inside(velocity_x), inside(velocity_y), inside(velocity_z), inside(temperature)};
 }
 
 double Solver::mass() const { return parts_->method->mass(); }

@@ -8,6 +8,7 @@
 #include <memory>
 #include <span>
 
+#include "continuum/step/ledger.hpp"
 #include "files/checkpoint.hpp"
 #include "scene/scene.hpp"
 
@@ -18,23 +19,6 @@ namespace shaken::continuum {
 /// Valid until the solver advances.
 struct ColumnView {
     std::span<const double> density, velocity_x, velocity_y, velocity_z, temperature;
-};
-
-/// Totals per horizontal area, since the start. Energies are in the frame of the plate:
-/// energy = initial_energy + body_force_work - collisional_loss + floor_gain + dual_energy_gain + boundary_gain, to
-/// round-off; and potential_gain = -gravity_work to round-off (finite volumes between ends that nothing passes).
-struct Ledger {
-    double energy = 0.0;  // 3/2 n T + n u^2 / 2, now
-    double initial_energy = 0.0;
-    double body_force_work = 0.0;   // of gravity and of the frame's acceleration
-    double gravity_work = 0.0;      // of gravity alone, which is a part of it
-    double potential_gain = 0.0;    // g times what n z has gained since the start, from the state
-    double collisional_loss = 0.0;  // the sink gamma
-    double floor_gain = 0.0;        // heat added where the temperature met its floor
-    double dual_energy_gain = 0.0;  // difference where the internal energy equation is trusted over the total energy
-    double boundary_gain = 0.0;     // through heated walls and open ends
-    double plate_impulse = 0.0;     // integral over time of the normal stress on the plate
-    double lid_impulse = 0.0;       // the same on the upper end
 };
 
 class Solver {

@@ -28,6 +28,12 @@ struct Verification {
     std::int64_t steps = 0;
 };
 
+/// When a wave of sound is compared: over whole periods, after what is not of it has gone..
+struct PeriodsOfWave {
+    double begin, end;
+};
+PeriodsOfWave periods_of_wave(double time, double period);
+
 /// Throws scene::SceneError for wrong names, RunFailed where the method fails, std::invalid_argument for a layer.
 Verification verify(const scene::Scene& scene);
 

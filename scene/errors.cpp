@@ -56,7 +56,16 @@ std::size_t edit_distance(const std::string& a, const std::string& b) {
 SceneError::SceneError(const Place& where, const std::string& message)
     : std::runtime_error(pointing_at(where, message)), place(where) {}
 
+SceneError refusal(const Scene& scene, const std::string& key, const std::string& message) {
+    const auto written = scene.written.find(key);
+    return {written == scene.written.end() ? Place{scene.source, 0, 0, ""} : written->second, message};
+}
+
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known) {
+    // The start of one word is more than a slip of the pen.
+    if (written.size() > 2)
+        for (const std::string& word : known)
+            if (word.starts_with(written)) return word;
     std::string best;
     std::size_t least = std::max<std::size_t>(1, written.size() / 2);
     for (const std::string& word : known) {

@@ -24,6 +24,9 @@ struct NoSceneFile : std::runtime_error {
     using std::runtime_error::runtime_error;
 };
 
+/// That a value of this scene cannot be accepted, at the place where its key was written, else at the scene as a whole.
+SceneError refusal(const Scene& scene, const std::string& key, const std::string& message);
+
 /// Of some known words the one nearest to what was written, or empty if none is near.
 std::string nearest_word(const std::string& written, const std::vector<std::string>& known);
 

@@ -98,7 +98,7 @@ class Reader : public ParameterVisitor {
     void text(const About& a, std::string& value) override {
         if (const toml::node* node = find(a)) value = text_in(*node, full(a.key));
     }
-    void choice(const About& a, Choice& value) override {
+    void choice(const About& a, Choice& value, const std::vector<Name>&) override {
         const toml::node* node = find(a);
         if (!node) return;
         const auto whole = node->value_exact<std::int64_t>();
@@ -358,7 +358,8 @@ void drop_rivals(toml::table& table, const toml::table& override_table) {
 
 }  // namespace
 
-Scene parse_scene(const std::string& text, const std::string& source, const std::vector<std::string>& overrides) {
+Scene parse_scene(const std::string& text, const std::string& source, const KeyOwners& owners,
+                  const std::vector<std::string>& overrides) {
     Sources sources{{source, text}};
     toml::table table = parse_toml(text, source, sources);
     std::vector<toml::table> given;
@@ -369,16 +370,19 @@ Scene parse_scene(const std::string& text, const std::string& source, const std:
     for (toml::table& t : given) merge(table, std::move(t));
 
     Scene scene;
+    scene.owners = owners;
+    scene.source = source;
     Reader reader(table, sources);
     describe(scene, reader);
-    reader.refuse_unknown_keys();
+    if (owners.all) reader.refuse_unknown_keys();
     if (scene.name.empty()) scene.name = std::filesystem::path(source).stem().string();
     scene.written = reader.places;
-    resolve(scene, scene.written, Place{source, 0, 0, ""});
+    resolve(scene);
     return scene;
 }
 
-Scene read_scene(const std::filesystem::path& path, const std::vector<std::string>& overrides) {
+Scene read_scene(const std::filesystem::path& path, const KeyOwners& owners,
+                 const std::vector<std::string>& overrides) {
     std::error_code error;
     if (!std::filesystem::is_regular_file(path, error)) {
         throw NoSceneFile(fmt::format("{}: {}", path.string(), error ? error.message() : "is not a file"));
@@ -387,7 +391,7 @@ Scene read_scene(const std::filesystem::path& path, const std::vector<std::strin
     if (!file) throw NoSceneFile(fmt::format("{}: {}", path.string(), std::strerror(errno)));
     std::ostringstream text;
     text << file.rdbuf();
-    return parse_scene(text.str(), path.string(), overrides);
+    return parse_scene(text.str(), path.string(), owners, overrides);
 }
 
 }  // namespace shaken::scene

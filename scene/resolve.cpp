@@ -18,13 +18,11 @@ constexpr double depth_of_one_per_area = 0.9;
 
 class Resolver {
   public:
-    Resolver(Scene& scene, const std::map<std::string, Place>& places, const Place& whole)
-        : s_(scene), places_(places), whole_(whole) {}
+    explicit Resolver(Scene& scene) : s_(scene) {}
 
     void layer() {
         particles();
         motion();
-        heights();
         if (s_.sample.phases % 20 != 0) {
             fail("sample.phases", fmt::format("sample.phases = {} is not a multiple of 20", s_.sample.phases));
         }
@@ -44,13 +42,7 @@ class Resolver {
             fail("sample.map_bin", fmt::format("sample.map_bin = {} is wider than the box, {} x {}", s_.sample.map_bin,
                                                s_.box.x, s_.box.y));
         }
-        sizes();
-        temperatures_of_ends("continuum", s_.continuum);
-        if (s_.continuum.spacing > 0.25 * s_.continuum.lid) {
-            fail("continuum.spacing",
-                 fmt::format("continuum.spacing = {} leaves fewer than 4 cells below continuum.lid = {}",
-                             s_.continuum.spacing, s_.continuum.lid));
-        }
+        maps();
     }
 
     void uniform() {
@@ -96,43 +88,12 @@ class Resolver {
         s_.motion = {0.0, 1.0 / u.interval};
     }
 
-    void tube() {
-        temperatures_of_ends("tube", s_.tube);
-        const double cells = s_.tube.length / s_.continuum.spacing;
-        if (!(cells >= 16.0 && cells <= 1e7)) {
-            fail("continuum.spacing",
-                 fmt::format("continuum.spacing = {} makes {:.3g} cells of tube.length = {}; allowed: 16 to 1e7",
-                             s_.continuum.spacing, cells, s_.tube.length));
-        }
-        if (s_.kind == Kind::column && !s_.tube.wall_temperature && s_.tube.restitution < 1.0) {
-            fail("tube.restitution",
-                 "tube.restitution below 1 needs tube.wall_temperature: without heat the gas cools");
-        }
-    }
-
   private:
-    /// A temperature belongs to an end named heated; that such an end has one is checked where its name is.
-    template <class Ends>
-    void temperatures_of_ends(const std::string& section, const Ends& ends) {
-        const auto check = [&](const std::string& end, const Choice& name, const std::optional<double>& temperature) {
-            const std::string key = section + "." + end;
-            if (temperature && name.name != "heated")
-                fail(key + "_temperature",
-                     fmt::format("{0}_temperature needs {0} = \"heated\"; it is \"{1}\"", key, name.name));
-        };
-        check("lower", ends.lower, ends.lower_temperature);
-        check("upper", ends.upper, ends.upper_temperature);
-    }
-
-    const Place& at(const std::string& key) const {
-        const auto found = places_.find(key);
-        return found == places_.end() ? whole_ : found->second;
-    }
     [[noreturn]] void fail(const std::string& key, const std::string& message) const {
-        throw SceneError(at(key), message);
+        throw refusal(s_, key, message);
     }
     std::string line_of(const std::string& key) const {
-        const Place& place = at(key);
+        const Place& place = s_.written.at(key);
         return fmt::format("{}:{}", place.source, place.line);
     }
 
@@ -167,86 +128,27 @@ class Resolver {
     }
 
     /// Refuses what no machine holds, with an estimate, before it is tried.
-    void sizes() const {
+    void maps() const {
         constexpr double largest = 8e9;  // bytes
-        const double bins = s_.continuum.lid / s_.sample.bin, phases = static_cast<double>(s_.sample.phases);
-        const double states = static_cast<double>(s_.sample.frames * s_.sample.frame_cycles);
-        const double frames = states * 6.0 * 8.0 * static_cast<double>(s_.number_of_particles);
-        if (frames > largest) {
-            fail("sample.frames",
-                 fmt::format("{:.3g} whole states of {} particles need {:.3g} GB; at most 8 are allowed", states,
-                             s_.number_of_particles, 1e-9 * frames));
-        }
-        // Ten blocks of seven moments of 8 bytes, and a height a cycle.
-        const double profiles = phases * (10.0 * 7.0 * 8.0 * bins + 8.0 * static_cast<double>(s_.sample.average));
-        if (profiles > largest) {
-            fail("sample.phases",
-                 fmt::format("sample.phases = {} with {:.3g} bins and {} cycles needs {:.3g} GB for "
-                             "averages; at most {:.3g} are allowed",
-                             s_.sample.phases, bins, s_.sample.average, 1e-9 * profiles, 1e-9 * largest));
-        }
-        if (s_.sample.map_bin > 0.0) {
-            const double heights = 8.0 * static_cast<double>(s_.sample.maps * (s_.sample.settle + s_.sample.average)) *
-                                   (s_.box.x / s_.sample.map_bin) * (s_.box.y / s_.sample.map_bin);
-            if (heights > largest) {
-                fail("sample.map_bin",
-                     fmt::format("sample.map_bin = {} with {} maps a cycle needs {:.3g} GB; at most {:.3g} are allowed",
-                                 s_.sample.map_bin, s_.sample.maps, 1e-9 * heights, 1e-9 * largest));
-            }
-        }
-        const double columns =
-            s_.continuum.dimension.name == "1" || (s_.continuum.dimension.name == "auto" && !s_.initial.uneven())
-                ? 1.0
-                : s_.box.x * s_.box.y / (s_.continuum.spacing_horizontal * s_.continuum.spacing_horizontal);
-        const double cells = columns * s_.continuum.lid / s_.continuum.spacing;
-        constexpr double bytes_a_cell = 220.0;
-        if (s_.continuum.dimension.name != "2" && cells * bytes_a_cell > largest) {
-            fail("continuum.spacing",
-                 fmt::format("continuum.spacing = {} and spacing_horizontal = {} make {:.3g} cells; at most "
-                             "{:.3g} are allowed",
-                             s_.continuum.spacing, s_.continuum.spacing_horizontal, cells, largest / bytes_a_cell));
-        }
-    }
-
-    void heights() {
-        const double thickness = s_.number_per_area() * (std::numbers::pi / 6.0) / s_.initial.volume_fraction;
-        const double highest_plate = 2.0 * s_.motion.amplitude;
-        if (s_.box.ceiling < highest_plate + thickness + 1.0) {
-            fail(
-                "box.ceiling",
-                fmt::format(
-                    "box.ceiling = {} is too low: the plate rises to {:.4g} and the layer is {:.4g} thick at the start",
-                    s_.box.ceiling, highest_plate, thickness));
-        }
-        if (s_.continuum.lid < thickness) {
-            fail("continuum.lid", fmt::format("continuum.lid = {} is below the top of the layer at the start, {:.4g}",
-                                              s_.continuum.lid, thickness));
+        if (s_.sample.map_bin <= 0.0) return;
+        const double heights = 8.0 * static_cast<double>(s_.sample.maps * (s_.sample.settle + s_.sample.average)) *
+                               (s_.box.x / s_.sample.map_bin) * (s_.box.y / s_.sample.map_bin);
+        if (heights > largest) {
+            fail("sample.map_bin",
+                 fmt::format("sample.map_bin = {} with {} maps a cycle needs {:.3g} GB; at most {:.3g} are allowed",
+                             s_.sample.map_bin, s_.sample.maps, 1e-9 * heights, 1e-9 * largest));
         }
     }
 
     Scene& s_;
-    const std::map<std::string, Place>& places_;
-    const Place& whole_;
 };
 
 }  // namespace
 
-void resolve(Scene& scene, const std::map<std::string, Place>& places, const Place& whole) {
-    switch (scene.kind) {
-        case Kind::layer:
-            Resolver(scene, places, whole).layer();
-            break;
-        case Kind::uniform:
-            Resolver(scene, places, whole).uniform();
-            break;
-        case Kind::riemann:
-        case Kind::piston:
-        case Kind::column:
-        case Kind::wave:
-        case Kind::cooling_flow:
-            Resolver(scene, places, whole).tube();
-            break;
-    }
+void resolve(Scene& scene) {
+    if (scene.kind == Kind::layer) Resolver(scene).layer();
+    if (scene.kind == Kind::uniform) Resolver(scene).uniform();
+    for (const KeyOwner* owner : scene.owners.list) owner->check(scene);
 }
 
 }  // namespace shaken::scene

@@ -5,11 +5,13 @@
 
 #include <cstdint>
 #include <map>
+#include <numbers>
 #include <optional>
 #include <set>
 #include <string>
 
 #include "scene/friction.hpp"
+#include "scene/key_owner.hpp"
 #include "scene/plate_motion.hpp"
 #include "scene/restitution.hpp"
 
@@ -156,10 +158,14 @@ struct Scene {
     std::int64_t number_of_particles = 0;
     double depth = 0.0;  // H; 0 where there is no layer
 
+    std::string source;                    // the file it was read from, or what stands for it in messages
     std::map<std::string, Place> written;  // "section.key" of what is no default, and where it was written
     std::set<std::string> without_part;    // "section.key" of what has no part in the run, and is not printed
+    KeyOwners owners;                      // the engines whose keys it has
 
     double number_per_area() const { return static_cast<double>(number_of_particles) / (box.x * box.y); }
+    /// Height in sigma of the flat layer that a run starts from.
+    double thickness_at_start() const { return number_per_area() * (std::numbers::pi / 6.0) / initial.volume_fraction; }
 };
 
 }  // namespace shaken::scene

@@ -2,7 +2,7 @@
 // What a column ends in, below and above, in the frame of the plate. The moving plate, the lid that moves with it and a
 // piston (in its own frame) are all a wall at rest; so is the stress-free end, to the waves. To add a boundary: its
 // name in named.cpp; if it is a new kind of end its ghosts in a header beside this one, a line in fill_ghosts and, if
-// it conducts, its coupling in relax.cpp.
+// it conducts, its coupling in step/relax_column.cpp.
 #pragma once
 
 #include <optional>

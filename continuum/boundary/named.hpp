@@ -1,15 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The ends of a column by name. All are walls in a frame that moves with the lower one, or no walls at all:
-//     name         what it is                                                    where
-//     plate        reflects; moves with the plate of the scene                   below a layer
-//     stress_free  reflects, bears pressure but no viscous stress; moves so too  above a layer, unless scheme is ftcs
-//     lid          reflects; moves with the plate                                above a layer
-//     wall         reflects; at rest                                             tubes
-//     heated       reflects, and is at a given temperature; moves as the above   everywhere
-//     piston       reflects; moves into the gas at constant speed                below a tube
-//     open         nothing changes across it                                     tubes
-//     periodic     the other end                                                 tubes, both or none
-// Which one a layer gets that names none above it: scene/resolve.cpp.
+// The ends of a column by name (named.cpp has the list). All are walls in a frame that moves with the lower one, or no
+// walls at all. Which one a layer gets that names none above it: continuum/resolve.cpp.
 #pragma once
 
 #include <optional>
@@ -17,6 +8,7 @@
 #include <vector>
 
 #include "continuum/boundary/boundaries.hpp"
+#include "scene/parameters.hpp"
 #include "scene/scene.hpp"
 
 namespace shaken::continuum {
@@ -26,15 +18,18 @@ struct NamedEnd {
     std::string key;
     scene::Choice name;
     std::optional<double> temperature;
-    std::vector<std::string> allowed;
+    std::vector<scene::Name> allowed;
 };
 
 /// Throws scene::SceneError, with the place, for a name that is not allowed there, a heated end without a temperature,
 /// a temperature without a heated end, and a periodic end opposite one that is not.
 Boundaries named_boundaries(const NamedEnd& lower, const NamedEnd& upper);
 
-std::vector<std::string> ends_below_layer();
-std::vector<std::string> ends_above_layer();
+/// The names there are, with words.
+std::vector<scene::Name> ends_below_layer();
+std::vector<scene::Name> ends_above_layer();
+std::vector<scene::Name> ends_below_tube();
+std::vector<scene::Name> ends_above_tube();
 
 /// Of a layer: [continuum] lower, upper.
 Boundaries boundaries_of_layer(const scene::Continuum& continuum);

@@ -12,6 +12,8 @@ namespace shaken::continuum {
 
 struct CarnahanStarling {
     static constexpr std::string_view name = "carnahan_starling";
+    static constexpr std::string_view words = "a fluid up to freezing at 0.49, a pole at 0.65 above it";
+    static constexpr std::string_view reference = "Carnahan & Starling 1969; Torquato 1995";
     static constexpr double packing = 0.65;
     static constexpr double freezing = 0.49;
 

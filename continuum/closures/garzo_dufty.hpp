@@ -3,9 +3,9 @@
 // polynomial, with the heat flux along the density gradient, q = -kappa grad T - mu grad n. With the fourth cumulant
 //   c* = 32 (1 - e)(1 - 2 e^2) / (81 - 17 e + 30 e^2 (1 - e))
 // the cooling rate is that of a Maxwellian times 1 + (3/32) c*; its part in div u is left out. Every
-// coefficient agrees, term by term, with those of an independent program (MFiX, its kinetic theory GD_99); at e = 1 they
-// are Enskog's, hence Jenkins and Richman's.
-// Coefficients in units of the dilute elastic ones, eta0 = (5/16) sqrt(T/pi), kappa0 = (75/64) sqrt(T/pi).
+// coefficient agrees, term by term, with those of an independent program (MFiX, its kinetic theory GD_99); at e = 1
+// they are Enskog's, hence Jenkins and Richman's. Coefficients in units of the dilute elastic ones, eta0 = (5/16)
+// sqrt(T/pi), kappa0 = (75/64) sqrt(T/pi).
 #pragma once
 
 #include <cmath>
@@ -18,6 +18,10 @@ namespace shaken::continuum {
 
 struct GarzoDufty {
     static constexpr std::string_view name = "garzo_dufty";
+    static constexpr std::string_view words = "spheres of any restitution, with heat along the density gradient";
+    static constexpr std::string_view reference = "Garzo & Dufty 1999";
+    static constexpr bool density_drives_heat = true;
+    static constexpr bool carries_between_contacts = true;
 
     [[gnu::always_inline]] static double cumulant(double e) {
         return 32.0 * (1.0 - e) * (1.0 - 2.0 * e * e) / (81.0 - 17.0 * e + 30.0 * e * e * (1.0 - e));
@@ -66,10 +70,13 @@ struct GarzoDufty {
                 heat_unit * temperature / density * density_heat};
     }
 
+    [[gnu::always_inline]] static double cooling_share(double restitution) {
+        return 1.0 + (3.0 / 32.0) * cumulant(restitution);
+    }
+
     template <class PairCorrelation>
     [[gnu::always_inline]] static double cooling_rate(double density, double restitution) {
-        return (1.0 + (3.0 / 32.0) * cumulant(restitution)) *
-               JenkinsRichman::cooling_rate<PairCorrelation>(density, restitution);
+        return cooling_share(restitution) * JenkinsRichman::cooling_rate<PairCorrelation>(density, restitution);
     }
 };
 

@@ -12,6 +12,8 @@ namespace shaken::continuum {
 
 struct Goldshtein {
     static constexpr std::string_view name = "goldshtein";
+    static constexpr std::string_view words = "one formula up to packing at 0.65; 11 to 21 % low at nu = 0.2 to 0.45";
+    static constexpr std::string_view reference = "Goldshtein, Shapiro & Gutfinger 1996";
     static constexpr double packing = 0.65;
 
     static Contact at(double volume_fraction) {

@@ -24,6 +24,10 @@ struct Transport {
 
 struct JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman";
+    static constexpr std::string_view words = "nearly elastic spheres, dilute to dense, all terms in 1/G";
+    static constexpr std::string_view reference = "Jenkins & Richman 1985";
+    static constexpr bool density_drives_heat = false;
+    static constexpr bool carries_between_contacts = true;
 
     /// density > 0 and below packing, temperature > 0; restitution is that of fast contacts, unused here: the
     /// coefficients are those of nearly elastic spheres.
@@ -42,6 +46,9 @@ struct JenkinsRichman {
                     ((5.0 / 24.0) * n_over_g + density + (1.2 * (1.0 + 32.0 / (9.0 * pi))) * n_g),
                 0.0};
     }
+
+    /// The cooling rate over that of a Maxwellian gas, (8/sqrt(pi)) G.
+    [[gnu::always_inline]] static double cooling_share(double /*restitution*/) { return 1.0; }
 
     /// Rate of dT/dt = -rate D T^(3/2): (8/sqrt(pi)) G.
     template <class PairCorrelation>

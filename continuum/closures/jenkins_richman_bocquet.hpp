@@ -14,6 +14,9 @@ namespace shaken::continuum {
 
 struct JenkinsRichmanBocquet : JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman_bocquet";
+    static constexpr std::string_view words =
+        "jenkins_richman with a viscosity that diverges faster at packing, by the power 1.75";
+    static constexpr std::string_view reference = "Bocquet and others 2002, Phys. Rev. E 65, 011307";
 
     template <class PairCorrelation>
     [[gnu::always_inline]] static Transport transport(double density, double temperature, double restitution) {

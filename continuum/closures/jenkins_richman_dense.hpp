@@ -14,6 +14,9 @@ namespace shaken::continuum {
 
 struct JenkinsRichmanDense : JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman_dense";
+    static constexpr std::string_view words = "jenkins_richman without the terms in 1/G: what collisions carry";
+    static constexpr std::string_view reference = "Bougie 2004, section 3.2.9";
+    static constexpr bool carries_between_contacts = false;
 
     template <class PairCorrelation>
     [[gnu::always_inline]] static Transport transport(double density, double temperature, double /*restitution*/) {

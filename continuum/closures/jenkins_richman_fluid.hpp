@@ -21,6 +21,9 @@ struct FluidContact {
 
 struct JenkinsRichmanFluid : JenkinsRichman {
     static constexpr std::string_view name = "jenkins_richman_fluid";
+    static constexpr std::string_view words =
+        "jenkins_richman with a fluid's contact value: transport stays finite at packing";
+    static constexpr std::string_view reference = "Jenkins & Richman 1985; Carnahan & Starling 1969";
 
     template <class PairCorrelation>
     [[gnu::always_inline]] static Transport transport(double density, double temperature, double restitution) {

@@ -12,6 +12,7 @@ namespace shaken::continuum {
 struct FluxHll {
     using InSlowFlow = FluxHll;
     static constexpr std::string_view name = "hll";
+    static constexpr std::string_view words = "one averaged state between the slowest and the fastest wave";
 
     [[gnu::always_inline]] static FaceFlux at(const FaceState& left, const FaceState& right, double packing_density) {
         const WaveSpeeds s = wave_speeds(left, right, packing_density);

@@ -18,6 +18,7 @@ struct FluxHllcSlow;
 struct FluxHllc {
     using InSlowFlow = FluxHllcSlow;
     static constexpr std::string_view name = "hllc";
+    static constexpr std::string_view words = "two states, parted by the contact wave";
 
     [[gnu::always_inline]] static FaceFlux at(const FaceState& left, const FaceState& right, double packing_density) {
         const WaveSpeeds s = wave_speeds(left, right, packing_density);

@@ -2,6 +2,7 @@
 #include "continuum/ftcs/ftcs.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <omp.h>
 
 #include <algorithm>
@@ -37,17 +38,16 @@ void cells_to_nodes(const double* cell, double* node, std::int64_t cells) {
 
 void Ftcs::refuse_closure(const scene::Continuum& choices) {
     const scene::Choice& closure = choices.closure;
-    if (closure.name == JenkinsRichmanDense::name) return;
-    const std::vector<std::string> known = Closures::names();
-    if (std::find(known.begin(), known.end(), closure.name) == known.end())
-        throw scene::unknown_choice("continuum.closure", closure, known);
+    if (!traits_of(closure).carries_between_contacts) return;
+    std::vector<std::string> can_run = Closures::names();
+    std::erase_if(can_run, [](const auto& name) { return traits_of({name, {}}).carries_between_contacts; });
     const bool written = !closure.place.source.empty();
     const bool by_default = !written && closure.name == scene::Continuum{}.closure.name;
     throw scene::SceneError(
         written ? closure.place : choices.scheme.place,
         fmt::format("continuum.scheme = \"ftcs\" cannot run continuum.closure = \"{}\"{}, whose terms in 1/G ask for "
                     "steps of no length where the gas is thin; it can run \"{}\"",
-                    closure.name, by_default ? ", the default" : "", JenkinsRichmanDense::name));
+                    closure.name, by_default ? ", the default" : "", fmt::join(can_run, "\", \"")));
 }
 
 Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
@@ -71,11 +71,7 @@ Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
         for (std::int64_t c = 0; c < grid().columns(); ++c)
             cells_to_nodes(cells.data() + grid().first(c), nodes.data() + nodes_.first(c), grid().nz);
     };
-    move(setup_.flow.density, now_.density);
-    move(setup_.flow.velocity_x, now_.velocity_x);
-    move(setup_.flow.velocity_y, now_.velocity_y);
-    move(setup_.flow.velocity_z, now_.velocity_z);
-    move(setup_.flow.temperature, now_.temperature);
+    for (std::size_t k = 0; k < now_.fields().size(); ++k) move(*setup_.flow.fields()[k], *now_.fields()[k]);
     cells_ = setup_.flow;
     next_ = now_;
     for (auto* array : {&pressure_, &bulk_, &shear_, &conductivity_, &density_conductivity_, &cooling_, &sound_})
@@ -233,11 +229,7 @@ const Flow& Ftcs::flow() const {
             for (std::int64_t i = 0; i < grid().nz; ++i) cell[i] = 0.5 * (node[i] + node[i + 1]);
         }
     };
-    average(now_.density, cells_.density);
-    average(now_.velocity_x, cells_.velocity_x);
-    average(now_.velocity_y, cells_.velocity_y);
-    average(now_.velocity_z, cells_.velocity_z);
-    average(now_.temperature, cells_.temperature);
+    for (std::size_t k = 0; k < now_.fields().size(); ++k) average(*now_.fields()[k], *cells_.fields()[k]);
     return cells_;
 }
 
@@ -336,11 +328,7 @@ double Ftcs::unstable_share(double dt) const {
 
 void Ftcs::save(files::CheckpointWriter& out) const {
     out.put("continuum/cells", std::vector<std::int64_t>{grid().nx, grid().ny, grid().nz});
-    out.put("continuum/density", now_.density);
-    out.put("continuum/velocity_x", now_.velocity_x);
-    out.put("continuum/velocity_y", now_.velocity_y);
-    out.put("continuum/velocity_z", now_.velocity_z);
-    out.put("continuum/temperature", now_.temperature);
+    save_flow(now_, out);
     out.put("continuum/ftcs",
             std::vector<double>{body_force_work_, collisional_loss_, floor_gain_, floor_mass_, initial_energy_,
                                 floor_density_, initial_mass_, gravity_work_, initial_potential_energy_});
@@ -348,14 +336,9 @@ void Ftcs::save(files::CheckpointWriter& out) const {
 }
 
 void Ftcs::restore(const files::CheckpointReader& in) {
-    const auto span = [](auto& values) { return std::span(values.data(), values.size()); };
-    in.take_into("continuum/density", span(now_.density));
-    in.take_into("continuum/velocity_x", span(now_.velocity_x));
-    in.take_into("continuum/velocity_y", span(now_.velocity_y));
-    in.take_into("continuum/velocity_z", span(now_.velocity_z));
-    in.take_into("continuum/temperature", span(now_.temperature));
+    restore_flow(now_, in);
     std::vector<double> books(9);
-    in.take_into("continuum/ftcs", span(books));
+    in.take_into("continuum/ftcs", std::span(books));
     body_force_work_ = books[0];
     collisional_loss_ = books[1];
     floor_gain_ = books[2];

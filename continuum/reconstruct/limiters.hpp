@@ -21,6 +21,7 @@ namespace shaken::continuum {
 /// The smaller step. Roe 1986.
 struct LimiterMinmod {
     static constexpr std::string_view name = "minmod";
+    static constexpr std::string_view words = "the smaller step; Roe 1986";
     static constexpr double in_shock = 1.0;
     [[gnu::always_inline]] static double slope(double a, double b) {
         return common_sign(a, b) * smaller(std::abs(a), std::abs(b));
@@ -30,6 +31,7 @@ struct LimiterMinmod {
 /// The harmonic mean. van Leer 1974.
 struct LimiterVanLeer {
     static constexpr std::string_view name = "van_leer";
+    static constexpr std::string_view words = "the harmonic mean; van Leer 1974";
     static constexpr double in_shock = 0.5;
     [[gnu::always_inline]] static double slope(double a, double b) {
         const double product = a * b;
@@ -43,6 +45,8 @@ struct LimiterVanLeer {
 /// Monotonized central: the mean, at most twice the smaller step. van Leer 1977.
 struct LimiterMonotonizedCentral {
     static constexpr std::string_view name = "mc";
+    static constexpr std::string_view words =
+        "monotonized central: the mean, at most twice the smaller step; van Leer 1977";
     static constexpr double in_shock = 0.5;
     [[gnu::always_inline]] static double slope(double a, double b) {
         const double least = smaller(0.5 * std::abs(a + b), 2.0 * smaller(std::abs(a), std::abs(b)));
@@ -53,6 +57,7 @@ struct LimiterMonotonizedCentral {
 /// No slope: first order, Godunov's method.
 struct LimiterFirstOrder {
     static constexpr std::string_view name = "first_order";
+    static constexpr std::string_view words = "no slope: Godunov's method";
     static constexpr double in_shock = 1.0;
     [[gnu::always_inline]] static double slope(double, double) { return 0.0; }
 };

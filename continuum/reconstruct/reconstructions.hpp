@@ -17,6 +17,7 @@ namespace shaken::continuum {
 /// Second order in space and time: MUSCL along columns, WENO across them, where cells are wide (kernels.cpp).
 struct SchemeMuscl {
     static constexpr std::string_view name = "muscl";
+    static constexpr std::string_view words = "finite volumes, second order in space and time";
     static constexpr std::array<std::string_view, 2> unused{"artificial_dissipation", "diffusion_factor"};
     static constexpr std::span<const Stage> stages = ssp_rk2;
 
@@ -29,6 +30,7 @@ struct SchemeMuscl {
 /// Fifth order in space (one dimension, without transport), third in time.
 struct SchemeWeno5 {
     static constexpr std::string_view name = "weno5";
+    static constexpr std::string_view words = "finite volumes, fifth order in space (waves along z), third in time";
     static constexpr std::array<std::string_view, 3> unused{"limiter", "artificial_dissipation", "diffusion_factor"};
     static constexpr std::span<const Stage> stages = ssp_rk3;
 
@@ -42,6 +44,7 @@ struct SchemeWeno5 {
 /// The source's finite differences (continuum/ftcs/): no fluxes, so nothing is reconstructed.
 struct SchemeFtcs {
     static constexpr std::string_view name = "ftcs";
+    static constexpr std::string_view words = "the source's finite differences, first order in time; for comparison";
     static constexpr std::array<std::string_view, 3> unused{"flux", "limiter", "cfl"};
     static constexpr std::span<const Stage> stages = forward_euler;
 

@@ -25,7 +25,8 @@ TEST_CASE("usage errors end with 2 and name what is meant") {
 TEST_CASE("the version names commit, compiler, flags and libraries") {
     const auto result = shaken("--version");
     CHECK(result.code == 0);
-    CHECK_THAT(result.text, Contains("shaken 0") && (Contains("GNU") || Contains("Clang")) && Contains("-O") && Contains("HDF5"));
+    CHECK_THAT(result.text,
+               Contains("shaken 0") && (Contains("GNU") || Contains("Clang")) && Contains("-O") && Contains("HDF5"));
 }
 
 TEST_CASE("a missing scene ends with 66, a bad one with 65") {
@@ -43,8 +44,33 @@ TEST_CASE("the resolved scene is a scene, and the keys are listed with units and
     for (const char* given : {"frequency = 0.15", "number = 200", "ceiling = 60.0", "phases = 100", "settle = 2",
                               "average = 4", "map_bin = 2.0", "lid = 40.0"})
         CHECK_THAT(support::content_of(first), Contains(std::string("\n") + given + "\n"));
-    CHECK_THAT(shaken("scene --keys").text,
-               Contains("acceleration") && Contains("in sqrt(g/sigma)") && Contains("closure: jenkins_richman"));
+    const std::string keys = shaken("scene --keys").text;
+    CHECK_THAT(keys, Contains("acceleration") && Contains("in sqrt(g/sigma)") && Contains("wall_temperature") &&
+                         Contains("jenkins_richman_fluid") && Contains("Torquato 1995") && Contains("van_leer"));
+    for (const char* kind : {"layer", "uniform", "riemann", "piston", "column", "wave", "cooling_flow"})
+        CHECK_THAT(keys, Contains(std::string("\nkind = \"") + kind + "\""));
+    const std::string one = shaken("scene --keys --kind wave").text;
+    CHECK_THAT(one, Contains("amplitude = 0.0001") && !Contains("[plate]"));
+    CHECK(shaken("scene --keys --kind lair").code == 2);
+    CHECK(shaken("scene --markdown").code == 2);
+}
+
+TEST_CASE("the page of keys is what the command makes") {
+    // Else: shaken scene --keys --markdown > docs/scene_keys.md
+    CHECK(support::content_of(SHAKEN_SOURCE_DIR "/docs/scene_keys.md") == shaken("scene --keys --markdown").text);
+}
+
+TEST_CASE("a flow with a known future leaves the scene that ran") {
+    const support::TemporaryFolder folder;
+    const std::string out = (folder / "a").string(), scene = SHAKEN_SOURCE_DIR "/data/scenes/verify_piston.toml";
+    const std::string changes = " --set continuum.spacing=0.3 --set tube.time=0.1";
+    REQUIRE(shaken("continuum " + scene + changes + " --out " + out).code == 0);
+    const std::string said = support::content_of(out + "/scene.toml");
+    CHECK(said == shaken("scene " + scene + changes).text);
+    CHECK_THAT(said, Contains("spacing = 0.3030303") && !Contains("closure") && !Contains("artificial_dissipation"));
+    CHECK(
+        shaken("continuum " + scene + changes + " --set continuum.closure=garzo_dufty --overwrite --out " + out).code ==
+        65);
 }
 
 TEST_CASE("a name that no table has is refused with its place before anything runs long") {
@@ -218,7 +244,13 @@ TEST_CASE("runs with other seeds are averaged, runs of another layer refused") {
     }
     const auto other = shaken("compare " + at("d") + " --md " + at("a") + " --md " + at("c") + h);
     CHECK(other.code == 65);
-    CHECK_THAT(other.text, Contains("runs of different scenes"));
+    CHECK_THAT(other.text, Contains("c/md.h5") && Contains("h/continuum.h5") &&
+                               Contains("runs of different scenes, particles.restitution = 0.95 and 0.9;"));
+    REQUIRE(ran("md", "low", " --set box.ceiling=50"));
+    CHECK(shaken("compare " + at("of_low") + " --md " + at("low") + h).code == 0);
+    const auto ceilings = shaken("compare " + at("d") + " --md " + at("a") + " --md " + at("low") + h);
+    CHECK(ceilings.code == 65);
+    CHECK_THAT(ceilings.text, Contains("box.ceiling = 60.0 and 50.0;"));
     REQUIRE(ran("md", "long", " --set md.seed=3 --set sample.average=20"));
     const auto uneven = shaken("compare " + at("d") + " --md " + at("a") + " --md " + at("long") + h);
     CHECK(uneven.code == 65);

@@ -2,8 +2,8 @@
 // What a continuum run says of itself, from the scene to the terminal and the file.
 #include "app/continuum_notes.hpp"
 
+#include "compare/scenes.hpp"
 #include "files/hdf5.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -16,7 +16,7 @@ const std::string stripes = SHAKEN_SOURCE_DIR "/data/scenes/ch5_stripes.toml";
 
 Notes notes_with(std::vector<std::string> changes) {
     changes.insert(changes.begin(), {"particles.number=2400", "box.x=40", "box.y=10"});
-    return shaken::app::notes_of_scene(shaken::scene::read_scene(stripes, changes));
+    return shaken::app::notes_of_scene(shaken::compare::read_scene(stripes, changes));
 }
 
 }  // namespace

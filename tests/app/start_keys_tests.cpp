@@ -2,8 +2,8 @@
 // Keys that cannot act on the start that a scene names: refused, or said in one line.
 #include "app/start_keys.hpp"
 
+#include "compare/scenes.hpp"
 #include "scene/errors.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -13,7 +13,7 @@ using shaken::app::Notes;
 namespace {
 
 shaken::scene::Scene with(const std::vector<std::string>& changes) {
-    return shaken::scene::read_scene(support::small_scene, changes);
+    return shaken::compare::read_scene(support::small_scene, changes);
 }
 
 Notes of_continuum(const std::vector<std::string>& changes, bool beside_md = false) {

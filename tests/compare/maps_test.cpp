@@ -4,7 +4,7 @@
 
 #include "compare/continuum_sampler.hpp"
 #include "compare/md_sampler.hpp"
-#include "scene/read_scene.hpp"
+#include "compare/scenes.hpp"
 #include "synthetic.hpp"
 #include "tests/support/catch.hpp"
 
@@ -14,7 +14,7 @@ namespace {
 
 /// 6 x 5 columns, as many along neither axis.
 scene::Scene oblong() {
-    return scene::parse_scene(R"(
+    return compare::parse_scene(R"(
 [plate]
 acceleration = 3.0
 frequency = 0.15
@@ -40,7 +40,7 @@ spacing = 0.5
 spacing_horizontal = 2.0
 lid = 30.0
 )",
-                              "oblong.toml");
+                                "oblong.toml");
 }
 
 }  // namespace

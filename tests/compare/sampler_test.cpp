@@ -3,7 +3,7 @@
 
 #include "compare/continuum_sampler.hpp"
 #include "compare/md_sampler.hpp"
-#include "scene/read_scene.hpp"
+#include "compare/scenes.hpp"
 #include "synthetic.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -13,7 +13,7 @@ using namespace shaken;
 namespace {
 
 scene::Scene small_scene() {
-    return scene::parse_scene(R"(
+    return compare::parse_scene(R"(
 [scene]
 name = "small"
 [plate]
@@ -33,7 +33,7 @@ average = 4
 spacing = 0.5
 lid = 40.0
 )",
-                              "small.toml");
+                                "small.toml");
 }
 
 /// Particles strewn over the heights that bins cover, and two above the lid.

@@ -4,10 +4,10 @@
 
 #include "continuum/boundary/named.hpp"
 #include "continuum/errors.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/solver.hpp"
 #include "continuum/verification.hpp"
 #include "scene/errors.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -17,7 +17,7 @@ using namespace continuum;
 namespace {
 
 scene::Scene tube(const std::vector<std::string>& changes) {
-    return scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/verify_riemann.toml", changes);
+    return continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/verify_riemann.toml", changes);
 }
 
 }  // namespace
@@ -39,10 +39,10 @@ TEST_CASE("a piston by name is the piston of the kind piston, to the last bit") 
     const Verification named =
         verify(tube({"tube.lower=\"piston\"", "tube.speed=1.5", "initial.left.volume_fraction=0.2",
                      "initial.right.volume_fraction=0.2", "continuum.spacing=0.1"}));
-    const Verification kind =
-        verify(scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/verify_piston.toml",
-                                 {"tube.speed=1.5", "tube.length=10.0", "tube.time=0.6", "initial.volume_fraction=0.2",
-                                  "initial.temperature=1.0", "continuum.spacing=0.1"}));
+    const Verification kind = verify(
+        continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/verify_piston.toml",
+                              {"tube.speed=1.5", "tube.length=10.0", "tube.time=0.6", "initial.volume_fraction=0.2",
+                               "initial.temperature=1.0", "continuum.spacing=0.1"}));
     CHECK(named.volume_fraction == kind.volume_fraction);
     CHECK(named.velocity == kind.velocity);
     CHECK(named.temperature == kind.temperature);
@@ -51,7 +51,7 @@ TEST_CASE("a piston by name is the piston of the kind piston, to the last bit") 
 
 TEST_CASE("a plate that takes heat cools the layer, and the books say by how much") {
     const auto after_a_cycle = [](const std::vector<std::string>& changes) {
-        const scene::Scene scene = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes);
+        const scene::Scene scene = continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes);
         Solver solver(scene);
         solver.advance_to_phase(1, 0);
         return solver.ledger();
@@ -72,7 +72,7 @@ TEST_CASE("ends that contradict each other are refused with their place") {
     const auto said = [](const char* scene, const std::vector<std::string>& changes) -> std::string {
         try {
             const scene::Scene read =
-                scene::read_scene(std::string(SHAKEN_SOURCE_DIR "/data/scenes/") + scene, changes);
+                continuum::read_scene(std::string(SHAKEN_SOURCE_DIR "/data/scenes/") + scene, changes);
             if (read.kind == scene::Kind::layer)
                 boundaries_of_layer(read.continuum);
             else

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "continuum/closures/pressure.hpp"
-#include "continuum/evolution.hpp"
+#include "continuum/step/evolution.hpp"
 
 using namespace shaken;
 

@@ -6,6 +6,7 @@
 #include "continuum/closures/closures.hpp"
 #include "continuum/closures/effective_dissipation.hpp"
 #include "continuum/closures/equation_of_state.hpp"
+#include "continuum/closures/values.hpp"
 #include "continuum/kernels.hpp"
 #include "tests/support/catch.hpp"
 
@@ -132,6 +133,51 @@ TEST_CASE("Bocquet and others' viscosity is Boltzmann's in thin gas and diverges
     CHECK(std::log10(nearer.shear_viscosity / near.shear_viscosity) == Approx(1.75).epsilon(1e-4));
     CHECK(std::log10(nearer.bulk_viscosity / near.bulk_viscosity) == Approx(1.0).epsilon(1e-4));
     CHECK(std::log10(nearer.conductivity / near.conductivity) == Approx(1.0).epsilon(1e-4));
+}
+
+TEST_CASE("a closure asked by name gives the formulas of its header, by their powers of T") {
+    const auto at = [](const char* closure, double temperature) {
+        return closure_values({closure, {}}, {"goldshtein", {}}, 0.4, temperature, 0.7);
+    };
+    // The table of physics.md again, nine digits.
+    const ClosureValues one = at("jenkins_richman", 1.0), four = at("jenkins_richman", 4.0);
+    CHECK(one.pressure == Approx(3.78892459).epsilon(2e-8));
+    CHECK(one.sound_speed == Approx(5.64608591).epsilon(2e-8));
+    CHECK(one.transport.bulk_viscosity == Approx(1.33855898).epsilon(2e-8));
+    CHECK(one.transport.shear_viscosity == Approx(1.29962695).epsilon(2e-8));
+    CHECK(one.transport.conductivity == Approx(5.27841943).epsilon(2e-8));
+    CHECK(one.cooling == Approx(3.07199285).epsilon(1e-7));
+    CHECK(four.pressure == Approx(4.0 * one.pressure).epsilon(1e-15));  // round-off
+    CHECK(four.sound_speed == Approx(2.0 * one.sound_speed).epsilon(1e-15));
+    CHECK(four.transport.shear_viscosity == Approx(2.0 * one.transport.shear_viscosity).epsilon(1e-15));
+    CHECK(four.cooling == Approx(8.0 * one.cooling).epsilon(1e-15));
+    const ClosureValues heat = at("garzo_dufty", 1.0), hotter = at("garzo_dufty", 4.0);
+    CHECK(hotter.transport.density_conductivity == Approx(8.0 * heat.transport.density_conductivity).epsilon(1e-14));
+    // c* = 32 * 0.3 * 0.02 / (81 - 11.9 + 30 * 0.49 * 0.3) = 0.192/73.51, so the sink is 1 + 3 c*/32 of the other's.
+    CHECK(heat.cooling / one.cooling == Approx(1.0 + 0.09375 * 0.192 / 73.51).epsilon(1e-14));
+
+    CHECK_THROWS_WITH(at("jenkins_richmann", 1.0), Contains("did you mean \"jenkins_richman\"?"));
+    CHECK_THROWS_AS(at("jenkins_richman", 0.0), std::invalid_argument);
+    CHECK_THROWS_WITH(closure_values({"garzo_dufty", {}}, {"goldshtein", {}}, 0.65, 1.0, 0.9), Contains("0.65"));
+    CHECK_THROWS_AS(closure_values({"garzo_dufty", {}}, {"goldshtein", {}}, 0.1, 1.0, 1.1), std::invalid_argument);
+}
+
+TEST_CASE("what a closure says of itself is what its formulas do") {
+    for (const std::string& name : Closures::names()) {
+        INFO(name);
+        const ClosureTraits traits = traits_of({name, {}});
+        const auto at = [&](double nu) { return closure_values({name, {}}, {"goldshtein", {}}, nu, 1.0, 0.8); };
+        CHECK((at(0.3).transport.density_conductivity != 0.0) == traits.density_drives_heat);
+        // With the terms in 1/G the viscosity tends to Boltzmann's, without them to 0 as the density.
+        CHECK((at(1e-9).transport.shear_viscosity > 0.01) == traits.carries_between_contacts);
+        const double of_maxwellian = closure_values({"jenkins_richman", {}}, {"goldshtein", {}}, 0.3, 1.0, 0.8).cooling;
+        CHECK(at(0.3).cooling / of_maxwellian == Approx(traits.cooling_share(0.8)).epsilon(1e-14));  // round-off
+    }
+    for (const scene::Name& closure : Closures::described()) {
+        INFO(closure.name);
+        CHECK_FALSE(closure.words.empty());
+        CHECK_FALSE(closure.reference.empty());
+    }
 }
 
 TEST_CASE("the effective dissipation of e(v) takes the reference values") {

@@ -7,8 +7,8 @@
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
-#include "continuum/diffusion_solve.hpp"
-#include "continuum/heat_of_density.hpp"
+#include "continuum/step/diffusion_solve.hpp"
+#include "continuum/step/heat_of_density.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;

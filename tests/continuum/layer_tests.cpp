@@ -2,9 +2,9 @@
 #include <cmath>
 
 #include "continuum/errors.hpp"
-#include "continuum/evolution.hpp"
 #include "continuum/initial_state.hpp"
 #include "continuum/solver.hpp"
+#include "continuum/step/evolution.hpp"
 #include "files/checkpoint.hpp"
 #include "files/errors.hpp"
 #include "scene/errors.hpp"

@@ -12,7 +12,7 @@
 
 #include "continuum/closures/closures.hpp"
 #include "continuum/closures/equation_of_state.hpp"
-#include "continuum/evolution.hpp"
+#include "continuum/step/evolution.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;

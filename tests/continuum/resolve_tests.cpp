@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "continuum/ftcs/ftcs.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/solver.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
@@ -34,7 +35,7 @@ lid = 40.0
 )";
 
 scene::Scene with(const std::vector<std::string>& changes, const std::string& more = "") {
-    return scene::parse_scene(layer + more, "layer.toml", changes);
+    return continuum::parse_scene(layer + more, "layer.toml", changes);
 }
 
 const std::vector<std::string> ftcs{"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense"};
@@ -123,12 +124,65 @@ TEST_CASE("a start that the columns cannot hold is refused") {
     CHECK_NOTHROW(resolve(with({"continuum.dimension=2", "initial.wave=0.1", "initial.wave_x=2"})));
 }
 
+namespace {
+
+scene::Scene tube(const std::string& kind, const std::string& more) {
+    return continuum::parse_scene("[scene]\nkind = \"" + kind + "\"\n" + more, "tube.toml");
+}
+
+}  // namespace
+
+TEST_CASE("of a flow with a known future the cells and the time that run are recorded") {
+    // 10/0.3 is 33.3: the nearest whole number of cells is 33.
+    CHECK(resolve(tube("piston", "[continuum]\nspacing = 0.3\n")).continuum.spacing == Approx(10.0 / 33.0));
+    // Whole periods of sound of the length, 40/c with c = 1.8135158 sqrt(g sigma) (physics.md, e = 0.7): 22.0566 each.
+    const std::string wave =
+        "[tube]\nlength = 40.0\nrestitution = 0.7\ntime = 100.0\n[initial]\nvolume_fraction = 0.1\n"
+        "[continuum]\nspacing = 1.0\n";
+    CHECK(resolve(tube("wave", wave)).tube.time == Approx(5.0 * 40.0 / 1.81351580).epsilon(1e-7));
+}
+
+TEST_CASE("a setting that a flow with a known future has no use for is refused or not printed") {
+    struct Case {
+        std::string kind, section, key, value, more;
+    };
+    const auto c =
+        GENERATE(Case{"riemann", "tube", "speed", "2.0", ""}, Case{"column", "initial", "number_per_area", "2.0", ""},
+                 Case{"column", "initial", "volume_fraction", "0.2", "[tube]\nwall_temperature = 1.5\n"},
+                 Case{"piston", "continuum", "floor_density", "1e-5", ""},
+                 Case{"piston", "continuum", "closure", "\"garzo_dufty\"", "[continuum]\ntransport = \"inviscid\"\n"});
+    INFO(c.kind << ": " << c.key);
+    const auto text = [&](bool written) {
+        std::string all = c.more;
+        if (!written) return all;
+        const std::string line = c.key + " = " + c.value + "\n";
+        const std::size_t at = all.find("[" + c.section + "]\n");
+        return at == std::string::npos ? all + "[" + c.section + "]\n" + line : all + line;
+    };
+    CHECK_THROWS_WITH(resolve(tube(c.kind, text(true))),
+                      Contains("tube.toml:") && Contains(c.section + "." + c.key + " has no part in"));
+    CHECK_THAT(scene::print_scene(resolve(tube(c.kind, text(false)))), !Contains("\n" + c.key + " ="));
+}
+
+TEST_CASE("the floor of ftcs in a tube is recorded") {
+    const std::string printed = scene::print_scene(resolve(
+        tube("column", "[continuum]\nscheme = \"ftcs\"\nclosure = \"jenkins_richman_dense\"\nspacing = 0.1\n")));
+    CHECK_THAT(printed, Contains("\nfloor_density = 0.001\n"));
+}
+
+TEST_CASE("a uniform gas of the continuum alone is recorded without what the MD acts on, and starts from no file") {
+    const std::string gas = "[particles]\nnumber = 100\n";
+    const auto alone = [&](const std::string& more) { return continuum::resolve_alone(tube("uniform", gas + more)); };
+    CHECK_THAT(scene::print_scene(alone("")), !Contains("seed") && !Contains("frames") && Contains("interval"));
+    CHECK_THROWS_WITH(alone("[initial]\nfile = \"x.h5\"\n"), Contains("initial.file has no part"));
+}
+
 TEST_CASE("what is printed resolves to itself") {
     const std::vector<std::string> changes =
         GENERATE(std::vector<std::string>{}, ftcs, std::vector<std::string>{"continuum.scheme=weno5"},
                  std::vector<std::string>{"initial.noise=0.01", "continuum.spacing=0.3"});
     const scene::Continuum once = resolve(with(changes)).continuum;
-    const scene::Scene printed = scene::parse_scene(scene::print_scene(resolve(with(changes))), "printed.toml");
+    const scene::Scene printed = continuum::parse_scene(scene::print_scene(resolve(with(changes))), "printed.toml");
     const scene::Continuum again = resolve(printed).continuum;
     for (const auto choice :
          {&scene::Continuum::dimension, &scene::Continuum::scheme, &scene::Continuum::flux, &scene::Continuum::limiter,
@@ -141,4 +195,11 @@ TEST_CASE("what is printed resolves to itself") {
     CHECK(printed.continuum.upper.name == once.upper.name);
     CHECK(printed.continuum.dimension.name == once.dimension.name);
     CHECK(once.dimension.name != "auto");
+    const std::string kind = GENERATE("riemann", "piston", "column", "wave", "cooling_flow");
+    const scene::Scene tubes = resolve(tube(kind, "[tube]\nlength = 10.1\n[continuum]\nspacing = 0.3\n"));
+    const scene::Scene reread = resolve(continuum::parse_scene(scene::print_scene(tubes), "printed.toml"));
+    CHECK(reread.continuum.spacing == tubes.continuum.spacing);
+    CHECK(reread.continuum.spacing != 0.3);  // which does not part a length of 10.1
+    CHECK(reread.continuum.closure.name == tubes.continuum.closure.name);
+    CHECK(reread.continuum.floor_density == tubes.continuum.floor_density);
 }

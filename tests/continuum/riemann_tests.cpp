@@ -6,8 +6,8 @@
 
 #include "cases.hpp"
 #include "continuum/closures/closures.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/verification.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -132,8 +132,8 @@ TEST_CASE("nothing rings behind a strong shock, and its error falls with the spa
                             Case{"mc", "continuum.limiter=\"mc\"", 1.0, 0.0087},
                             Case{"weno5", "continuum.scheme=\"weno5\"", 1.0, 0.0087});
     const auto streams = [&](int cells) {
-        return verify(scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/verify_streams.toml",
-                                        {c.setting, "continuum.spacing=" + std::to_string(10.0 / cells)}));
+        return verify(continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/verify_streams.toml",
+                                            {c.setting, "continuum.spacing=" + std::to_string(10.0 / cells)}));
     };
     const Verification coarse = streams(200), fine = streams(800);
     const double star = *std::max_element(fine.exact_temperature.begin(), fine.exact_temperature.end());

@@ -5,9 +5,10 @@
 #include <numbers>
 
 #include "continuum/closures/closures.hpp"
-#include "continuum/evolution.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
+#include "continuum/step/evolution.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
@@ -51,7 +52,7 @@ struct Seen {
     double force;
 };
 Seen shaken_under(double lid, const char* upper) {
-    const scene::Scene scene = scene::read_scene(
+    const scene::Scene scene = continuum::read_scene(
         SHAKEN_SOURCE_DIR "/data/scenes/ch5_growth.toml",
         {"continuum.dimension=1", "initial.wave=0.0", "plate.acceleration=3.0", "continuum.spacing=0.5",
          "continuum.lid=" + scene::written_number(lid), "continuum.upper=" + std::string(upper)});
@@ -121,15 +122,15 @@ TEST_CASE("the height of a stress-free end does not change a layer that does not
 
 TEST_CASE("a layer that names no upper end has a stress-free one, under ftcs the source's wall") {
     const auto upper = [](const std::vector<std::string>& changes) {
-        const scene::Scene scene = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes);
+        const scene::Scene scene = continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes);
         return continuum::resolve(scene).continuum.upper.name;
     };
     CHECK(upper({}) == "stress_free");
     CHECK(upper({"continuum.scheme=weno5"}) == "stress_free");
     CHECK(upper({"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense"}) == "lid");
     CHECK(upper({"continuum.upper=lid"}) == "lid");
-    const scene::Scene asked = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml",
-                                                 {"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense",
-                                                  "continuum.upper=stress_free"});
+    const scene::Scene asked = continuum::read_scene(
+        SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml",
+        {"continuum.scheme=ftcs", "continuum.closure=jenkins_richman_dense", "continuum.upper=stress_free"});
     CHECK_THROWS_WITH(Solver(asked), Contains("--set continuum.upper") && Contains("ftcs"));
 }

@@ -6,7 +6,7 @@
 
 #include "md/contact_law.hpp"
 #include "md/errors.hpp"
-#include "scene/read_scene.hpp"
+#include "md/parameters.hpp"
 #include "small_systems.hpp"
 #include "tests/support/catch.hpp"
 
@@ -72,7 +72,7 @@ TEST_CASE("rows of touching spheres under e(v) slow a run down and are no collap
 }
 
 TEST_CASE("the layer of chapter 4 collapses at constant restitution 0.6 and not at 0.7", "[slow]") {
-    auto scene = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", {"particles.restitution=0.6"});
+    auto scene = md::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", {"particles.restitution=0.6"});
     scene.md.seed = GENERATE(1, 2, 3);
     md::Simulation collapsing(scene);
     CHECK_THROWS_WITH(collapsing.advance_to(12, 0.0), Contains("inelastic collapse"));

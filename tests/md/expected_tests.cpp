@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "md/parameters.hpp"
 #include "md/simulation.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -36,7 +36,7 @@ std::vector<double> recorded(const std::string& name, const std::string& section
 /// Averages over a few cycles lie within 3.5 standard errors (statistics, from the recorded spread of single cycles;
 /// their correlation is below 0.12) of the recorded means.
 void compare(const std::string& name, int settle, int cycles) {
-    md::Simulation simulation(scene::read_scene(data + "scenes/" + name + ".toml"));
+    md::Simulation simulation(md::read_scene(data + "scenes/" + name + ".toml"));
     constexpr int phases = 20;
     std::vector<double> height(phases, 0.0);
     simulation.advance_to(settle, 0.0);

@@ -3,8 +3,8 @@
 #include <cmath>
 #include <thread>
 
+#include "compare/scenes.hpp"
 #include "plan/choices.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 
@@ -29,7 +29,7 @@ plan::ContinuumPlan settled_after(std::int64_t cycles) {
 
 TEST_CASE("a plan's promise holds with two seeds") {
     if (std::thread::hardware_concurrency() < 2) return;  // a plan takes no more seeds than run at a time
-    const scene::Scene scene = scene::read_scene(support::small_scene);
+    const scene::Scene scene = compare::read_scene(support::small_scene);
     plan::Trials trials(scene, 0.3);
     const plan::Grains* grains = trials.grains(scene, 4, true);
     REQUIRE(grains);

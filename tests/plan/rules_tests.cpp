@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "plan/rules.hpp"
 
+#include "compare/scenes.hpp"
 #include "plan/wish.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -10,7 +10,7 @@ using namespace shaken;
 namespace {
 
 scene::Scene stripes(const std::vector<std::string>& changes) {
-    return scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch5_stripes.toml", changes);
+    return compare::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch5_stripes.toml", changes);
 }
 
 }  // namespace
@@ -31,7 +31,7 @@ TEST_CASE("a square that holds waves is 3D, a strip 2D, a box below one wave 1D"
 }
 
 TEST_CASE("a flat layer's cell keeps the particles an area, and never grows") {
-    const scene::Scene wide = scene::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml");
+    const scene::Scene wide = compare::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml");
     const plan::FlatBox flat = plan::flat_box(wide);
     // One particle in a thousand at most, which the side makes up for to round-off.
     CHECK(flat.x == Approx(plan::flat_width).epsilon(1e-3));

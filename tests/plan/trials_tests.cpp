@@ -3,16 +3,16 @@
 
 #include <numeric>
 
+#include "compare/scenes.hpp"
 #include "md/errors.hpp"
 #include "md/simulation.hpp"
-#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 
 using namespace shaken;
 
 TEST_CASE("a trial whose grains collapse is none, and says why where there must be one") {
-    const scene::Scene scene = scene::read_scene(support::small_scene, {"particles.restitution=0.3"});
+    const scene::Scene scene = compare::read_scene(support::small_scene, {"particles.restitution=0.3"});
     plan::Trials trials(scene, 1.0);
     CHECK(trials.grains(scene, 2, false) == nullptr);
     CHECK(trials.grains(scene, 2, false) == nullptr);
@@ -20,7 +20,7 @@ TEST_CASE("a trial whose grains collapse is none, and says why where there must 
 }
 
 TEST_CASE("a trial is made once, and tells what every run of its length takes besides its cycles") {
-    const scene::Scene scene = scene::read_scene(support::small_scene, {});
+    const scene::Scene scene = compare::read_scene(support::small_scene, {});
     plan::Trials trials(scene, 0.01);
     const double before = plan::cpu_seconds();
     const md::Simulation simulation(scene);

@@ -7,6 +7,7 @@
 #include <set>
 #include <string>
 
+#include "compare/scenes.hpp"
 #include "scene/parameters.hpp"
 #include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
@@ -14,6 +15,8 @@
 using namespace shaken;
 
 using namespace scene;
+
+using compare::parse_scene;
 
 namespace {
 
@@ -34,7 +37,7 @@ class Values : public ParameterVisitor {
     }
     void seed(const About& a, std::uint64_t& value) override { put(a, fmt::format("{}", value)); }
     void text(const About& a, std::string& value) override { put(a, value); }
-    void choice(const About& a, Choice& value) override { put(a, value.name); }
+    void choice(const About& a, Choice& value, const std::vector<Name>&) override { put(a, value.name); }
     void kind(const About& a, Kind& value) override { put(a, kind_names()[static_cast<std::size_t>(value)]); }
     void restitution(const About& a, Restitution& value) override {
         const auto* law = std::get_if<RestitutionVelocity>(&value);
@@ -118,7 +121,8 @@ std::string tube(const std::string& kind, const std::string& more) {
     return scene_of(kind) +
            "[tube]\nlength = 11.5\ntime = 0.61\nrestitution = " + (kind == "column" ? "0.94" : "0.93") + "\n" + more +
            "[continuum]\n" + names +
-           "spacing = 0.025\ncfl = 0.71\nartificial_dissipation = 0.12\ndiffusion_factor = 0.13\n";
+           "spacing = 0.025\ncfl = 0.71\nartificial_dissipation = 0.12\ndiffusion_factor = 0.13\n"
+           "floor_density = 3e-7\n";
 }
 
 std::vector<Full> scenes() {
@@ -177,6 +181,7 @@ TEST_CASE("a printed scene parses to the values it was printed from, every key o
 
         Scene defaults;
         defaults.kind = scene.kind;
+        defaults.owners = scene.owners;
         const std::map<std::string, std::string> usual = Values(defaults).by_key;
         std::map<std::string, std::string> of_value;
         for (const auto& [key, value] : given) {

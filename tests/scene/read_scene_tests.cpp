@@ -5,12 +5,16 @@
 
 #include <cmath>
 
+#include "compare/scenes.hpp"
 #include "scene/errors.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
 
 using namespace scene;
+
+using compare::parse_scene;
+using compare::read_scene;
 
 namespace {
 
@@ -80,8 +84,12 @@ TEST_CASE("the least ceiling is the raised plate, the layer of the start and one
 }
 
 TEST_CASE("the list of keys is itself a scene but for what a scene must give") {
-    CHECK_THAT(refusal(list_parameters()), Contains("particles.number or particles.depth is needed"));
-    CHECK(refusal(list_parameters(), {"particles.depth=9", "plate.frequency=0.095"}) == "accepted");
+    const auto list = [](Kind kind) { return list_parameters(kind, compare::both_engines()); };
+    CHECK_THAT(refusal(list(Kind::layer)), Contains("particles.number or particles.depth is needed"));
+    CHECK(refusal(list(Kind::layer), {"particles.depth=9", "plate.frequency=0.095"}) == "accepted");
+    CHECK(refusal(list(Kind::uniform), {"particles.number=100"}) == "accepted");
+    for (const Kind kind : {Kind::riemann, Kind::piston, Kind::column, Kind::wave, Kind::cooling_flow})
+        CHECK(refusal(list(kind), {"continuum.spacing=0.1"}) == "accepted");
 }
 
 TEST_CASE("an override wins over the file and replaces the other of an exclusive pair") {

@@ -5,12 +5,13 @@
 // jumps of velocity around the cell can spoil (Bryan and others 1995, their criterion made Galilean invariant).
 // Gravity works on the mass that passes the faces, g F dz at each, half of it in either cell: what it gives is what the
 // column's potential energy loses, to round-off, and a column at rest, through whose faces nothing passes, gets none.
+#include "continuum/step/carry.hpp"
+
 #include <cmath>
 
 #include "continuum/boundary/fill_ghosts.hpp"
-#include "continuum/evolution.hpp"
 #include "continuum/flux/wave_speeds.hpp"
-#include "continuum/sum_in_lanes.hpp"
+#include "continuum/step/sum_in_lanes.hpp"
 
 namespace shaken::continuum {
 
@@ -24,30 +25,37 @@ void close_face(const FaceArrays& faces, std::int64_t f, double stress) {
 
 }  // namespace
 
-bool Evolution::carry(double t, double dt, const Sweeps& sweeps) {
-    const std::int64_t columns = grid().columns();
-    const bool along_x = grid().nx > 1, along_y = grid().ny > 1;
-    for (std::size_t k = 0; k < kernels_.stages.size(); ++k) {
-        const Stage& stage = kernels_.stages[k];
-        const double gravity = setup_.gravity + setup_.motion.acceleration(t + stage.time * dt);
-        const std::int64_t rows = along_x || along_y ? rows_with_gas() : grid().nz;
+Carry::Carry(Fluid& fluid)
+    : fluid_(fluid), base_(fluid.flow()), base_books_(fluid.books), scratch_(rows_of_threads<Scratch>(fluid)) {}
+
+std::size_t Carry::doubles() const { return base_.fields().size() * base_.density.size(); }
+
+bool Carry::operator()(double t, double dt, const Sweeps& sweeps) {
+    const Grid& grid = fluid_.grid();
+    const Setup& setup = fluid_.setup;
+    const std::int64_t columns = grid.columns();
+    const bool along_x = grid.nx > 1, along_y = grid.ny > 1;
+    for (std::size_t k = 0; k < fluid_.kernels.stages.size(); ++k) {
+        const Stage& stage = fluid_.kernels.stages[k];
+        const double gravity = setup.gravity + setup.motion.acceleration(t + stage.time * dt);
+        const std::int64_t rows = along_x || along_y ? rows_with_gas() : grid.nz;
         double unsound = 0.0;
-#pragma omp parallel num_threads(threads()) reduction(+ : unsound)
+#pragma omp parallel num_threads(fluid_.threads()) reduction(+ : unsound)
         {
-            Workspace& work = work_[thread()];
 #pragma omp for schedule(static)
             for (std::int64_t column = 0; column < columns; ++column) {
-                const std::int64_t first = grid().first(column);
-                fill_ghosts(setup_.flow, first, grid().nz, setup_.boundaries, constants_.packing_density);
-                kernels_.pressure(flow().density.data() + first, flow().temperature.data() + first,
-                                  rates_.pressure.data() + first, work.row(0), grid().nz, constants_);
+                const std::int64_t first = grid.first(column);
+                fill_ghosts(fluid_.flow(), first, grid.nz, setup.boundaries, fluid_.constants.packing_density);
+                fluid_.kernels.pressure(setup.flow.density.data() + first, setup.flow.temperature.data() + first,
+                                        fluid_.rates.pressure.data() + first, scratch_[thread()].sound_speed, grid.nz,
+                                        fluid_.constants);
             }
             // z + (x + y), in this order, so that a flow turned by a right angle about z keeps its bits.
-            if (along_x) sweep_along_x(sweeps, rows, work);
-            if (along_y) sweep_along_y(sweeps, rows, !along_x, work);
+            if (along_x) sweep_along_x(sweeps, rows);
+            if (along_y) sweep_along_y(sweeps, rows, !along_x);
 #pragma omp for schedule(static)
             for (std::int64_t column = 0; column < columns; ++column)
-                sweep_along_z(column, sweeps.vertical, !along_x && !along_y, gravity, work);
+                sweep_along_z(column, sweeps.vertical, !along_x && !along_y, gravity);
 #pragma omp for schedule(static)
             for (std::int64_t column = 0; column < columns; ++column)
                 unsound += update(column, stage, k == 0, gravity, dt) ? 0.0 : 1.0;
@@ -57,18 +65,19 @@ bool Evolution::carry(double t, double dt, const Sweeps& sweeps) {
     return true;
 }
 
-void Evolution::add_rates(std::int64_t column, const FaceArrays& lower, const FaceArrays& upper, Direction direction,
-                          double spacing, bool first_sweep) {
-    const std::int64_t nz = grid().nz, first = grid().first(column);
+void Carry::add_rates(std::int64_t column, const FaceArrays& lower, const FaceArrays& upper, Direction direction,
+                      double spacing, bool first_sweep) {
+    const std::int64_t nz = fluid_.grid().nz, first = fluid_.grid().first(column);
     const double per_width = 1.0 / spacing;
-    std::vector<double>* const momenta[3] = {&rates_.momentum_x, &rates_.momentum_y, &rates_.momentum_z};
+    Fluid::Rates& rates = fluid_.rates;
+    std::vector<double>* const momenta[3] = {&rates.momentum_x, &rates.momentum_y, &rates.momentum_z};
     const int normal = static_cast<int>(direction);
     const int one = direction == Direction::x ? 1 : 0, two = direction == Direction::z ? 1 : 2;
-    const double* pressure = rates_.pressure.data() + first;
-    double *__restrict mass = rates_.mass.data() + first, *__restrict momentum = momenta[normal]->data() + first,
+    const double* pressure = rates.pressure.data() + first;
+    double *__restrict mass = rates.mass.data() + first, *__restrict momentum = momenta[normal]->data() + first,
                        *__restrict momentum_1 = momenta[one]->data() + first,
-                       *__restrict momentum_2 = momenta[two]->data() + first, *__restrict energy = rates_.energy.data() + first,
-                       *__restrict internal = rates_.internal.data() + first, *__restrict jump = rates_.jump.data() + first;
+                       *__restrict momentum_2 = momenta[two]->data() + first, *__restrict energy = rates.energy.data() + first,
+                       *__restrict internal = rates.internal.data() + first, *__restrict jump = rates.jump.data() + first;
     const double keep = first_sweep ? 0.0 : 1.0;
 #pragma omp simd
     for (std::int64_t i = 0; i < nz; ++i) {
@@ -83,40 +92,43 @@ void Evolution::add_rates(std::int64_t column, const FaceArrays& lower, const Fa
     }
 }
 
-void Evolution::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, double gravity,
-                              Workspace& work) {
-    const std::int64_t nz = grid().nz, first = grid().first(column);
+void Carry::sweep_along_z(std::int64_t column, SweepKernel sweep, bool first_sweep, double gravity) {
+    const std::int64_t nz = fluid_.grid().nz, first = fluid_.grid().first(column);
+    const Flow& flow = fluid_.flow();
+    const Boundaries& ends = fluid_.setup.boundaries;
+    Fluid::Rates& rates = fluid_.rates;
+    Scratch& scratch = scratch_[thread()];
     Stencil stencil;
     for (std::size_t k = 0; k < 6; ++k) {
         const std::int64_t cell = first - 3 + static_cast<std::int64_t>(k);
-        stencil.density[k] = flow().density.data() + cell;
-        stencil.normal[k] = flow().velocity_z.data() + cell;
-        stencil.tangent_1[k] = flow().velocity_x.data() + cell;
-        stencil.tangent_2[k] = flow().velocity_y.data() + cell;
-        stencil.temperature[k] = flow().temperature.data() + cell;
+        stencil.density[k] = flow.density.data() + cell;
+        stencil.normal[k] = flow.velocity_z.data() + cell;
+        stencil.tangent_1[k] = flow.velocity_x.data() + cell;
+        stencil.tangent_2[k] = flow.velocity_y.data() + cell;
+        stencil.temperature[k] = flow.temperature.data() + cell;
     }
-    const FaceArrays faces = work.faces(0);
-    sweep(stencil, faces, nz + 1, constants_);
-    if (reflects(setup_.boundaries.lower.end)) close_face(faces, 0, kernels_.wall(stencil, constants_));
-    if (reflects(setup_.boundaries.upper.end)) close_face(faces, nz, stress_below_wall(stencil, nz));
-    add_rates(column, faces, faces.shifted(1), Direction::z, grid().dz, first_sweep);
-    double* __restrict energy = rates_.energy.data() + first;
+    const FaceArrays faces = scratch.faces.arrays();
+    sweep(stencil, faces, nz + 1, fluid_.constants);
+    if (reflects(ends.lower.end)) close_face(faces, 0, fluid_.kernels.wall(stencil, fluid_.constants));
+    if (reflects(ends.upper.end)) close_face(faces, nz, stress_below_wall(stencil, nz));
+    add_rates(column, faces, faces.shifted(1), Direction::z, fluid_.grid().dz, first_sweep);
+    double* __restrict energy = rates.energy.data() + first;
     const double* mass = faces.mass;
-    double* __restrict passing = work.row(8);
+    double* __restrict passing = scratch.passing;
 #pragma omp simd
     for (std::int64_t i = 0; i < nz; ++i) {
         passing[i] = 0.5 * (mass[i] + mass[i + 1]);
         energy[i] -= gravity * passing[i];
     }
     // What gravity lifts and what passes the ends, for the books: kept in the ghosts of the rates until the update.
-    rates_.mass[static_cast<std::size_t>(first - 1)] = sum_in_lanes(passing, nz);
-    rates_.momentum_z[static_cast<std::size_t>(first - 1)] = faces.normal[0];
-    rates_.momentum_z[static_cast<std::size_t>(first + nz)] = faces.normal[nz];
-    rates_.energy[static_cast<std::size_t>(first - 1)] = faces.energy[0];
-    rates_.energy[static_cast<std::size_t>(first + nz)] = faces.energy[nz];
+    rates.mass[static_cast<std::size_t>(first - 1)] = sum_in_lanes(passing, nz);
+    rates.momentum_z[static_cast<std::size_t>(first - 1)] = faces.normal[0];
+    rates.momentum_z[static_cast<std::size_t>(first + nz)] = faces.normal[nz];
+    rates.energy[static_cast<std::size_t>(first - 1)] = faces.energy[0];
+    rates.energy[static_cast<std::size_t>(first + nz)] = faces.energy[nz];
 }
 
-double Evolution::stress_below_wall(const Stencil& stencil, std::int64_t face) const {
+double Carry::stress_below_wall(const Stencil& stencil, std::int64_t face) const {
     // The wall kernel wants the gas above the wall: turn the column upside down.
     double upside_down[5][6];
     Stencil turned;
@@ -133,30 +145,32 @@ double Evolution::stress_below_wall(const Stencil& stencil, std::int64_t face) c
         turned.tangent_2[k] = &upside_down[3][k];
         turned.temperature[k] = &upside_down[4][k];
     }
-    return kernels_.wall(turned, constants_);
+    return fluid_.kernels.wall(turned, fluid_.constants);
 }
 
-bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage, double gravity, double dt) {
-    const std::int64_t nz = grid().nz, first = grid().first(column);
+bool Carry::update(std::int64_t column, const Stage& stage, bool first_stage, double gravity, double dt) {
+    const std::int64_t nz = fluid_.grid().nz, first = fluid_.grid().first(column);
+    Flow& flow = fluid_.flow();
+    const Fluid::Rates& rates = fluid_.rates;
     if (first_stage) {
-        copy_column(flow(), base_, column);
-        base_books_[static_cast<std::size_t>(column)] = books_[static_cast<std::size_t>(column)];
+        copy_column(fluid_.grid(), flow, base_, column);
+        base_books_[static_cast<std::size_t>(column)] = fluid_.books_of(column);
     }
-    const double start = stage.start, previous = stage.previous;
-    const double packing = constants_.packing_density, floor = constants_.floor_temperature, trust = constants_.trust;
-    double *__restrict density = setup_.flow.density.data() + first, *__restrict u_x = setup_.flow.velocity_x.data() + first,
-                       *__restrict u_y = setup_.flow.velocity_y.data() + first,
-                       *__restrict u_z = setup_.flow.velocity_z.data() + first,
-                       *__restrict temperature = setup_.flow.temperature.data() + first;
+    const double start = stage.start, previous = stage.previous, packing = fluid_.constants.packing_density;
+    const double floor = fluid_.constants.floor_temperature, trust = fluid_.constants.trust;
+    double *__restrict density = flow.density.data() + first, *__restrict u_x = flow.velocity_x.data() + first,
+                       *__restrict u_y = flow.velocity_y.data() + first,
+                       *__restrict u_z = flow.velocity_z.data() + first,
+                       *__restrict temperature = flow.temperature.data() + first;
     const double *base_density = base_.density.data() + first, *base_x = base_.velocity_x.data() + first,
                  *base_y = base_.velocity_y.data() + first, *base_z = base_.velocity_z.data() + first,
                  *base_temperature = base_.temperature.data() + first;
-    const double *mass = rates_.mass.data() + first, *momentum_x = rates_.momentum_x.data() + first,
-                 *momentum_y = rates_.momentum_y.data() + first, *momentum_z = rates_.momentum_z.data() + first,
-                 *energy = rates_.energy.data() + first, *internal = rates_.internal.data() + first,
-                 *jump = rates_.jump.data() + first;
-    Workspace& rows = work_[thread()];
-    double* __restrict corrected = rows.row(0), * __restrict floored = rows.row(1);
+    const double *mass = rates.mass.data() + first, *momentum_x = rates.momentum_x.data() + first,
+                 *momentum_y = rates.momentum_y.data() + first, *momentum_z = rates.momentum_z.data() + first,
+                 *energy = rates.energy.data() + first, *internal = rates.internal.data() + first,
+                 *jump = rates.jump.data() + first;
+    double* __restrict corrected = scratch_[thread()].corrected;
+    double* __restrict floored = scratch_[thread()].floored;
     double unsound = 0.0;  // whole numbers: any order gives the same sum
 #pragma omp simd reduction(+ : unsound)
     for (std::int64_t i = 0; i < nz; ++i) {
@@ -191,26 +205,28 @@ bool Evolution::update(std::int64_t column, const Stage& stage, bool first_stage
         u_z[i] = v_z;
         temperature[i] = (kept * per_density) * (2.0 / 3.0);
     }
-    const double dz = grid().dz;
-    const auto at = [&](const std::vector<double>& rate, std::int64_t i) {
-        return rate[static_cast<std::size_t>(first + i)];
-    };
-    Ledger& books = books_[static_cast<std::size_t>(column)];
-    const Ledger& base = base_books_[static_cast<std::size_t>(column)];
-    const auto combine = [&](double Ledger::*entry, double rate) {
-        books.*entry = start * (base.*entry) + previous * (books.*entry + dt * rate);
-    };
-    combine(&Ledger::body_force_work, -gravity * dz * at(rates_.mass, -1));
-    combine(&Ledger::gravity_work, -setup_.gravity * dz * at(rates_.mass, -1));
-    combine(&Ledger::boundary_gain, at(rates_.energy, -1) - at(rates_.energy, nz));
-    combine(&Ledger::plate_impulse, at(rates_.momentum_z, -1));
-    combine(&Ledger::lid_impulse, at(rates_.momentum_z, nz));
-    combine(&Ledger::dual_energy_gain, 0.0);
-    combine(&Ledger::floor_gain, 0.0);
-    combine(&Ledger::collisional_loss, 0.0);
-    books.dual_energy_gain += dz * sum_in_lanes(corrected, nz);
-    books.floor_gain += dz * sum_in_lanes(floored, nz);
+    keep_books(column, stage, gravity, dt);
+    Ledger& books = fluid_.books_of(column);
+    books.dual_energy_gain += fluid_.grid().dz * sum_in_lanes(corrected, nz);
+    books.floor_gain += fluid_.grid().dz * sum_in_lanes(floored, nz);
     return unsound == 0.0;
+}
+
+void Carry::keep_books(std::int64_t column, const Stage& stage, double gravity, double dt) {
+    const Grid& grid = fluid_.grid();
+    const Fluid::Rates& rates = fluid_.rates;
+    const auto at = [&](const std::vector<double>& of, std::int64_t i) {
+        return of[static_cast<std::size_t>(grid.first(column) + i)];
+    };
+    Ledger rate;
+    rate.body_force_work = -gravity * grid.dz * at(rates.mass, -1);
+    rate.gravity_work = -fluid_.setup.gravity * grid.dz * at(rates.mass, -1);
+    rate.boundary_gain = at(rates.energy, -1) - at(rates.energy, grid.nz);
+    rate.plate_impulse = at(rates.momentum_z, -1);
+    rate.lid_impulse = at(rates.momentum_z, grid.nz);
+    Ledger& books = fluid_.books_of(column);
+    const Ledger& base = base_books_[static_cast<std::size_t>(column)];
+    books = stage.start * base + stage.previous * (books + dt * rate);
 }
 
 }  // namespace shaken::continuum
