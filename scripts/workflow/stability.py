@@ -47,7 +47,7 @@ def run_of(run):
 
 
 def remake(today, _parts):
-    """The whole table, three minutes of processor time; of one program, so that a cut remake goes on and no run of another is taken for its own."""
+    """The whole table, seven minutes of processor time; of one program, so that a cut remake goes on and no run of another is taken for its own."""
     out = today.out / hashlib.sha1(today.shaken.read_bytes()).hexdigest()[:12]
     code = make(today.root, out, [], today.jobs, False, today.command)
     if code:
