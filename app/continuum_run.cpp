@@ -7,7 +7,6 @@
 #include <array>
 #include <numbers>
 
-#include "app/frames.hpp"
 #include "continuum/resolve.hpp"
 #include "fields/field_file.hpp"
 #include "files/provenance.hpp"
@@ -43,31 +42,32 @@ void for_each_cell(const continuum::Solver& solver, Visit visit) {
 
 ContinuumRun::ContinuumRun(const scene::Scene& scene)
     : scene_(continuum::resolve(scene)),
+      schedule_(scene_),
       solver_(scene_),
       gas_(continuum::make_equation_of_state(scene_)),
       sampler_(scene_),
       series_(columns),
-      next_(solver_.phase()) {}
+      next_(schedule_.sample(scene::start_of(scene_))) {}
 
 bool ContinuumRun::advance_and_sample(const AskedToStop&) {
-    const Instant now = instant_of(next_, scene_);
-    solver_.advance_to_phase(now.cycle, now.phase);
-    sampler_.sample(solver_, now.cycle, now.phase);
+    const scene::Instant now = schedule_.instant(next_);
+    solver_.advance_to_instant(now.cycle, now.phase_index);
+    sampler_.sample(solver_, now);
     double moment = 0.0, total = 0.0;
     for_each_cell(solver_, [&](auto, auto, std::int64_t iz, const continuum::ColumnView& column) {
         const double density = column.density[static_cast<std::size_t>(iz)];
         total += density;
         moment += density * (static_cast<double>(iz) + 0.5) * solver_.spacing_z();
     });
-    const double height = scene_.motion.position(now.time_in_cycle(scene_)) + moment / total;
+    const double height = scene_.motion.position(schedule_.time_in_cycle(now)) + moment / total;
     const continuum::Ledger l = solver_.ledger();
     const compare::Validity v = validity_now();
-    series_.add(next_, now.time(scene_),
+    series_.add(next_, schedule_.time(now),
                 std::array{height, solver_.mass(), l.energy, l.body_force_work, l.gravity_work, l.potential_gain,
                            l.collisional_loss, l.floor_gain, l.dual_energy_gain, l.plate_impulse, l.lid_impulse,
                            static_cast<double>(solver_.steps()), v.knudsen, v.knudsen_largest, v.omega_tau,
                            v.omega_tau_largest, v.packed_share});
-    if (is_frame(now, scene_)) frames_.push_back(frame());
+    if (schedule_.is_frame(now)) frames_.push_back(frame());
     ++next_;
     return true;
 }
@@ -93,7 +93,7 @@ ContinuumFrame ContinuumRun::frame() const {
     ContinuumFrame f;
     f.sample = next_;
     const auto nx = solver_.cells_x(), ny = solver_.cells_y(), nz = solver_.cells_z();
-    const double plate_velocity = scene_.motion.velocity(instant_of(next_, scene_).time_in_cycle(scene_));
+    const double plate_velocity = scene_.motion.velocity(schedule_.time_in_cycle(schedule_.instant(next_)));
     for (auto* field : {&f.density, &f.velocity_x, &f.velocity_y, &f.velocity_z, &f.temperature}) {
         field->resize(static_cast<std::size_t>(nx * ny * nz));
     }
@@ -168,8 +168,9 @@ void ContinuumRun::write(const std::filesystem::path& path, const Spent& spent, 
                              {{solver_.cells_x(), solver_.cells_y(), solver_.cells_z()},
                               {solver_.spacing_x(), solver_.spacing_y(), solver_.spacing_z()}});
     for (const ContinuumFrame& f : frames_) {
-        const Instant at = instant_of(f.sample, scene_);
-        frames.add_frame(at.time(scene_), at.cycle, at.ft(scene_), scene_.motion.position(at.time_in_cycle(scene_)),
+        const scene::Instant at = schedule_.instant(f.sample);
+        frames.add_frame(schedule_.time(at), at.cycle, schedule_.phase(at),
+                         scene_.motion.position(schedule_.time_in_cycle(at)),
                          {{"density", f.density},
                           {"velocity_x", f.velocity_x},
                           {"velocity_y", f.velocity_y},

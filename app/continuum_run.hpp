@@ -14,6 +14,7 @@
 #include "continuum/solver.hpp"
 #include "fields/time_series.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::app {
 
@@ -30,8 +31,8 @@ class ContinuumRun {
 
     std::string name() const { return "continuum"; }
     std::int64_t next_sample() const { return next_; }
-    std::int64_t samples() const { return (scene_.sample.settle + scene_.sample.average) * scene_.sample.phases; }
-    std::int64_t phases() const { return scene_.sample.phases; }
+    std::int64_t samples() const { return schedule_.samples(); }
+    std::int64_t phases() const { return schedule_.phases(); }
     double work() const { return static_cast<double>(solver_.steps()); }
     std::string work_unit() const { return "steps/s"; }
     bool advance_and_sample(const AskedToStop& asked_to_stop);
@@ -56,6 +57,7 @@ class ContinuumRun {
     double force_on_upper_end() const;
 
     scene::Scene scene_;
+    scene::Schedule schedule_;
     continuum::Solver solver_;
     continuum::EquationOfState gas_;
     compare::ContinuumSampler sampler_;

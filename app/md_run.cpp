@@ -7,7 +7,6 @@
 #include <cmath>
 #include <numeric>
 
-#include "app/frames.hpp"
 #include "files/provenance.hpp"
 #include "md/h5md.hpp"
 #include "scene/read_scene.hpp"
@@ -46,36 +45,36 @@ md::Snapshot restore_frame(const files::CheckpointReader& in, std::size_t number
 
 MdRun::MdRun(const scene::Scene& scene)
     : scene_(scene),
+      schedule_(scene),
       scene_text_(scene::print_scene(scene)),
       simulation_(scene, md_options_of(scene)),
       sampler_(scene),
       series_(columns),
-      next_(std::llround(simulation_.time_in_cycle() / scene.motion.period() *
-                         static_cast<double>(scene.sample.phases))) {}
+      next_(schedule_.sample(scene::start_of(scene))) {}
 
 bool MdRun::advance_and_sample(const AskedToStop& asked_to_stop) {
-    const Instant now = instant_of(next_, scene_);
-    while (!simulation_.advance_to(now.cycle, now.time_in_cycle(scene_), predictions_between_looks))
+    const scene::Instant now = schedule_.instant(next_);
+    while (!simulation_.advance_to(now.cycle, schedule_.time_in_cycle(now), predictions_between_looks))
         if (asked_to_stop()) return false;
     const md::Snapshot snapshot = simulation_.snapshot();
-    sampler_.sample(snapshot, now.cycle, now.phase);
+    sampler_.sample(snapshot, now);
     const md::Ledger l = simulation_.ledger();
     const md::Counters c = simulation_.counters();
     double height = 0.0;
     for (const auto& position : snapshot.position) height += position[2];
     const auto n = [](std::int64_t count) { return static_cast<double>(count); };
-    series_.add(next_, now.time(scene_),
+    series_.add(next_, schedule_.time(now),
                 std::array{height / n(simulation_.particles()), l.kinetic, l.rotational, l.potential, l.plate_work,
                            l.ceiling_work, l.collision_loss, l.plate_loss, l.ceiling_loss, l.momentum[0], l.momentum[1],
                            l.momentum[2], l.plate_impulse, n(c.pair_collisions), n(c.plate_collisions),
                            n(c.ceiling_collisions)});
-    if (is_frame(now, scene_)) frames_.push_back(snapshot);
+    if (schedule_.is_frame(now)) frames_.push_back(snapshot);
     ++next_;
     return true;
 }
 
 bool MdRun::advance_to_end(const AskedToStop& asked_to_stop) {
-    while (!simulation_.advance_to(scene_.sample.settle + scene_.sample.average, 0.0, predictions_between_looks))
+    while (!simulation_.advance_to(schedule_.cycles(), 0.0, predictions_between_looks))
         if (asked_to_stop()) return false;
     return true;
 }

@@ -11,6 +11,7 @@
 #include "fields/time_series.hpp"
 #include "md/simulation.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::app {
 
@@ -27,8 +28,8 @@ class MdRun {
 
     std::string name() const { return "md"; }
     std::int64_t next_sample() const { return next_; }
-    std::int64_t samples() const { return (scene_.sample.settle + scene_.sample.average) * scene_.sample.phases; }
-    std::int64_t phases() const { return scene_.sample.phases; }
+    std::int64_t samples() const { return schedule_.samples(); }
+    std::int64_t phases() const { return schedule_.phases(); }
     double work() const { return static_cast<double>(simulation_.counters().pair_collisions); }
     std::string work_unit() const { return "collisions/s"; }
     bool advance_and_sample(const AskedToStop& asked_to_stop);
@@ -44,6 +45,7 @@ class MdRun {
 
   private:
     scene::Scene scene_;
+    scene::Schedule schedule_;
     std::string scene_text_;  // as printed when the run began
     md::Simulation simulation_;
     compare::MdSampler sampler_;

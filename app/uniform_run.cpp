@@ -81,10 +81,14 @@ Measured later_growth(const std::vector<double>& late) {
 }  // namespace
 
 UniformRun::UniformRun(const scene::Scene& scene)
-    : scene_(scene), simulation_(scene, md_options_of(scene)), series_(columns), window_(diffusion_window(scene)) {}
+    : scene_(scene),
+      schedule_(scene),
+      simulation_(scene, md_options_of(scene)),
+      series_(columns),
+      window_(diffusion_window(scene)) {}
 
 void UniformRun::follow(const md::Snapshot& snapshot) {
-    const std::int64_t since = next_ - scene_.sample.settle;
+    const std::int64_t since = next_ - schedule_.settling_samples();
     if (since < 0) return;
     if (since % window_ == 1 || window_ == 1 || moved_.empty()) moved_.assign(snapshot.position.size(), {});
     if (since > 0)
@@ -117,20 +121,17 @@ bool UniformRun::advance_and_sample(const AskedToStop& asked_to_stop) {
         }
     }
     const md::Ledger l = simulation_.ledger();
-    series_.add(next_, static_cast<double>(next_) * scene_.uniform.interval,
+    series_.add(next_, schedule_.time(schedule_.instant(next_)),
                 std::array{temperature, fourth / (15.0 * temperature * temperature) - 1.0, l.kinetic, l.rotational,
                            l.collision_loss, l.momentum[0], l.momentum[1], l.momentum[2], l.virial,
                            static_cast<double>(simulation_.counters().pair_collisions), displacement});
-    // Frame j of F stands at the end of the j-th of F equal parts of the averaging time.
-    const std::int64_t since = next_ - scene_.sample.settle, frames = scene_.uniform.frames;
-    if (since > 0 && since * frames / scene_.sample.average > (since - 1) * frames / scene_.sample.average)
-        frames_.push_back(snapshot);
+    if (schedule_.is_frame(schedule_.instant(next_))) frames_.push_back(snapshot);
     ++next_;
     return true;
 }
 
 std::vector<Measured> UniformRun::results() const {
-    const auto first = static_cast<std::size_t>(scene_.sample.settle);
+    const auto first = static_cast<std::size_t>(schedule_.settling_samples());
     if (series_.rows() < first + 2) return {};
     const auto count = static_cast<double>(scene_.number_of_particles);
     const double phi = scene_.initial.volume_fraction;

@@ -13,6 +13,7 @@
 #include "fields/time_series.hpp"
 #include "md/simulation.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::app {
 
@@ -33,8 +34,8 @@ class UniformRun {
     std::string name() const { return "md"; }
     std::int64_t next_sample() const { return next_; }
     /// The start and the end of the run are both sampled.
-    std::int64_t samples() const { return scene_.sample.settle + scene_.sample.average + 1; }
-    std::int64_t phases() const { return 1; }
+    std::int64_t samples() const { return schedule_.samples(); }
+    std::int64_t phases() const { return schedule_.phases(); }
     double work() const { return static_cast<double>(simulation_.counters().pair_collisions); }
     std::string work_unit() const { return "collisions/s"; }
     bool advance_and_sample(const AskedToStop& asked_to_stop);
@@ -54,6 +55,7 @@ class UniformRun {
     void follow(const md::Snapshot& snapshot);
 
     scene::Scene scene_;
+    scene::Schedule schedule_;
     md::Simulation simulation_;
     fields::TimeSeries series_;
     std::vector<md::Snapshot> frames_;

@@ -5,13 +5,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "continuum/solver.hpp"
 #include "fields/height_maps.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/checkpoint.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::compare {
 
@@ -22,7 +22,7 @@ class ContinuumSampler {
     explicit ContinuumSampler(const scene::Scene& scene, double floor_height = 0.0);
 
     /// Cycles before the scene's settling time and after its averaging time are left out.
-    void sample(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase);
+    void sample(const continuum::Solver& solver, const scene::Instant& at);
     void save(files::CheckpointWriter& out) const;
     void restore(const files::CheckpointReader& in);
 
@@ -31,12 +31,12 @@ class ContinuumSampler {
     const fields::HeightMaps& maps() const { return maps_; }
 
   private:
-    void keep_map(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase);
+    void keep_map(const continuum::Solver& solver, const scene::Instant& at);
     void add_cell(const continuum::ColumnView& column, std::size_t k, double lower, double dz, double plate_velocity,
                   double area_share);
 
     scene::PlateMotion motion_;
-    scene::Sample times_;
+    scene::Schedule schedule_;
     double floor_height_;
     fields::PhaseMoments moments_;
     fields::HeightMaps maps_;

@@ -3,13 +3,12 @@
 // and the height of the centre of mass of all of them.
 #pragma once
 
-#include <cstdint>
-
 #include "fields/height_maps.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/checkpoint.hpp"
 #include "md/observer.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::compare {
 
@@ -22,15 +21,13 @@ fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits d
 
 /// The horizontal bins of a scene's maps, as wide as [sample] map_bin as nearly as whole bins can be; none without it.
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene);
-/// Whether a map is kept at this sample instant.
-bool is_map(const scene::Sample& sample, std::int64_t phase);
 
 class MdSampler : public md::Observer {
   public:
     explicit MdSampler(const scene::Scene& scene);
 
     /// Cycles before the scene's settling time and after its averaging time are left out.
-    void sample(const md::Snapshot& snapshot, std::int64_t cycle, std::int64_t phase) override;
+    void sample(const md::Snapshot& snapshot, const scene::Instant& at) override;
     void save(files::CheckpointWriter& out) const override;
     void restore(const files::CheckpointReader& in) override;
 
@@ -40,7 +37,7 @@ class MdSampler : public md::Observer {
 
   private:
     scene::PlateMotion motion_;
-    scene::Sample times_;
+    scene::Schedule schedule_;
     fields::PhaseMoments moments_;
     fields::HeightMaps maps_;
 };

@@ -101,9 +101,9 @@ Column run_column(const scene::Scene& scene) {
     double recorded = 0.0;  // as a run does at every sample
     for (std::int64_t cycle = 0; cycle < scene.sample.average; ++cycle)
         for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
-            solver.advance_to_phase(cycle, phase);
-            sampler.sample(solver, cycle, phase);
-            if (cycle >= end.sample.settle) sampler_of_end.sample(solver, cycle, phase);
+            solver.advance_to_instant(cycle, phase);
+            sampler.sample(solver, {cycle, phase});
+            if (cycle >= end.sample.settle) sampler_of_end.sample(solver, {cycle, phase});
             recorded += solver.mass() + solver.ledger().energy;
         }
     if (!std::isfinite(recorded)) throw continuum::RunFailed("continuum: a trial is not finite", 0.0);
@@ -134,10 +134,10 @@ Grains run_grains(const scene::Scene& planned, std::int64_t settle, double budge
             simulation.advance_to(cycle,
                                   period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
             const md::Snapshot snapshot = simulation.snapshot();
-            sampler.sample(snapshot, cycle, phase);
+            sampler.sample(snapshot, {cycle, phase});
             recorded += simulation.ledger().kinetic;
             seconds += cpu_seconds() - begin;
-            sampler_of_run.sample(snapshot, cycle, phase);
+            sampler_of_run.sample(snapshot, {cycle, phase});
         }
         grains.seconds.push_back(seconds);
     }
@@ -231,7 +231,7 @@ double Trials::seconds_per_update(const scene::Scene& planned) {
     continuum::Solver solver(scene);
     const double start = cpu_seconds();
     for (std::int64_t phase = 1; phase < scene.sample.phases && cpu_seconds() - start < patch_seconds; ++phase)
-        solver.advance_to_phase(0, phase);
+        solver.advance_to_instant(0, phase);
     const auto cells = static_cast<double>(solver.cells_x() * solver.cells_y() * solver.cells_z());
     const double seconds = (cpu_seconds() - start) / (cells * static_cast<double>(solver.steps()));
     return updates_[dimension] = seconds;
