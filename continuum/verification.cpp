@@ -297,7 +297,11 @@ double mean_difference(const std::vector<double>& a, const std::vector<double>& 
     return difference / (relative ? size : cells);
 }
 
-void check_wave(const scene::Scene& scene, Method& method, double shortest, Verification& v) {
+using AskedToStop = std::function<bool()>;
+
+/// False where it was asked to stop on the way.
+bool check_wave(const scene::Scene& scene, Method& method, double shortest, const AskedToStop& asked_to_stop,
+                Verification& v) {
     const EquationOfState state = state_of(scene);
     const double nu = scene.tube.gas.volume_fraction, temperature = scene.tube.gas.temperature;
     const double k = 2.0 * std::numbers::pi / scene.tube.length;
@@ -318,14 +322,15 @@ void check_wave(const scene::Scene& scene, Method& method, double shortest, Veri
     const double period = scene.tube.length / speed;
     const double begin = std::max(1.0, std::round(scene.tube.time / (3.0 * period))) * period;
     const double end = begin + std::max(1.0, std::round((scene.tube.time - begin) / period)) * period;
-    advance(method, 0.0, begin, shortest);
+    if (!advance(method, 0.0, begin, shortest, asked_to_stop)) return false;
     const std::complex<double> first = mode(inside(method).volume_fraction);
     constexpr int looks = 16;
     double turned = 0.0;
     std::complex<double> last = first;
     const int parts = looks * static_cast<int>(std::llround((end - begin) / period));
     for (int i = 1; i <= parts; ++i) {
-        advance(method, begin + (end - begin) * (i - 1) / parts, begin + (end - begin) * i / parts, shortest);
+        const double from = begin + (end - begin) * (i - 1) / parts, to = begin + (end - begin) * i / parts;
+        if (!advance(method, from, to, shortest, asked_to_stop)) return false;
         const std::complex<double> now = mode(inside(method).volume_fraction);
         turned -= std::arg(now / last);
         last = now;
@@ -333,6 +338,7 @@ void check_wave(const scene::Scene& scene, Method& method, double shortest, Veri
     v.numbers.push_back({"sound_speed", turned / (k * (end - begin)), speed, why_no_exact});
     v.numbers.push_back(
         {"attenuation", -std::log(std::abs(last / first)) / (k * k * (end - begin)), damping, why_no_exact});
+    return true;
 }
 
 /// What the closure of the scene becomes where the gas is so thin that n and T enter by their powers alone; nothing for
@@ -383,7 +389,11 @@ void check_heated(const scene::Scene& scene, const Method& method, Verification&
 
 }  // namespace
 
-Verification verify(const scene::Scene& given) {
+void refuse_unverifiable(const scene::Scene& scene) { make_method(make_case(resolve(scene)).setup); }
+
+Verification verify(const scene::Scene& scene) { return *verify_unless({}, scene); }
+
+std::optional<Verification> verify_unless(const std::function<bool()>& asked_to_stop, const scene::Scene& given) {
     const scene::Scene scene = resolve(given);
     Case c = make_case(scene);
     Verification v;
@@ -391,10 +401,9 @@ Verification verify(const scene::Scene& given) {
     const std::unique_ptr<Method> method = make_method(std::move(c.setup));
     // No flow with a known future ever asks for steps so far below its first.
     const double shortest = 1e-6 * std::min(method->longest_step(), duration_of(scene));
-    if (scene.kind == Kind::wave)
-        check_wave(scene, *method, shortest, v);
-    else
-        advance(*method, 0.0, duration_of(scene), shortest);
+    const bool reached = scene.kind == Kind::wave ? check_wave(scene, *method, shortest, asked_to_stop, v)
+                                                  : advance(*method, 0.0, duration_of(scene), shortest, asked_to_stop);
+    if (!reached) return std::nullopt;
     if (scene.kind == Kind::column) check_heated(scene, *method, v);
     for (std::int64_t i = 0; i < method->grid().nz; ++i) v.height.push_back(method->grid().centre(i));
     const Inside now = inside(*method);
