@@ -24,11 +24,11 @@ double limited_slope(std::span<const double> values, std::size_t k) {
 
 }  // namespace
 
-ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_height)
+ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_height, fields::Heights heights)
     : motion_(scene.motion),
       schedule_(scene),
       floor_height_(floor_height),
-      moments_(scene_moments(scene, fields::Deposits::cells)),
+      moments_(scene_moments(scene, fields::Deposits::cells, heights)),
       maps_(scene_map_grid(scene)) {}
 
 void ContinuumSampler::keep_map(const continuum::Solver& solver, const scene::Instant& at) {

@@ -19,7 +19,8 @@ class ContinuumSampler {
   public:
     /// floor_height: height of the continuum's floor above the plate, 0 or half a diameter; where it lies is a choice
     /// of the model, and the equations do not know it.
-    explicit ContinuumSampler(const scene::Scene& scene, double floor_height = 0.0);
+    explicit ContinuumSampler(const scene::Scene& scene, double floor_height = 0.0,
+                              fields::Heights heights = fields::Heights::kept);
 
     /// Cycles before the scene's settling time and after its averaging time are left out.
     void sample(const continuum::Solver& solver, const scene::Instant& at);
@@ -29,6 +30,8 @@ class ContinuumSampler {
     const fields::PhaseMoments& moments() const { return moments_; }
     /// Of every cycle from the start; empty unless the scene asks for maps.
     const fields::HeightMaps& maps() const { return maps_; }
+    /// For whoever has taken them elsewhere.
+    void clear_maps() { maps_.clear(); }
 
   private:
     void keep_map(const continuum::Solver& solver, const scene::Instant& at);

@@ -18,11 +18,15 @@ fields::Bins scene_bins(const scene::Scene& scene) {
     return {0.0, width, static_cast<std::int64_t>(std::ceil(scene.continuum.lid / width - 1e-9))};
 }
 
-fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits) {
+fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits, fields::Heights heights) {
     const scene::Sample& sample = scene.sample;
-    return {deposits,          sample.phases,
-            scene_bins(scene), scene.box.x * scene.box.y,
-            sample.average,    std::min(sample.average, most_blocks)};
+    return {deposits,
+            sample.phases,
+            scene_bins(scene),
+            scene.box.x * scene.box.y,
+            sample.average,
+            std::min(sample.average, most_blocks),
+            heights};
 }
 
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene) {
@@ -32,10 +36,10 @@ fields::HorizontalGrid scene_map_grid(const scene::Scene& scene) {
     return {bins(scene.box.x), bins(scene.box.y), scene.box.x, scene.box.y};
 }
 
-MdSampler::MdSampler(const scene::Scene& scene)
+MdSampler::MdSampler(const scene::Scene& scene, fields::Heights heights)
     : motion_(scene.motion),
       schedule_(scene),
-      moments_(scene_moments(scene, fields::Deposits::particles)),
+      moments_(scene_moments(scene, fields::Deposits::particles, heights)),
       maps_(scene_map_grid(scene)) {}
 
 void MdSampler::sample(const md::Snapshot& snapshot, const scene::Instant& at) {

@@ -17,14 +17,14 @@ namespace shaken::compare {
 fields::Bins scene_bins(const scene::Scene& scene);
 
 /// Empty sums of an engine for a scene: its phases, bins, area, cycles averaged over, in at most ten blocks.
-fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits);
+fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits, fields::Heights heights);
 
 /// The horizontal bins of a scene's maps, as wide as [sample] map_bin as nearly as whole bins can be; none without it.
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene);
 
 class MdSampler : public md::Observer {
   public:
-    explicit MdSampler(const scene::Scene& scene);
+    explicit MdSampler(const scene::Scene& scene, fields::Heights heights = fields::Heights::kept);
 
     /// Cycles before the scene's settling time and after its averaging time are left out.
     void sample(const md::Snapshot& snapshot, const scene::Instant& at) override;
@@ -34,6 +34,8 @@ class MdSampler : public md::Observer {
     const fields::PhaseMoments& moments() const { return moments_; }
     /// Of every cycle from the start; empty unless the scene asks for maps.
     const fields::HeightMaps& maps() const { return maps_; }
+    /// For whoever has taken them elsewhere.
+    void clear_maps() { maps_.clear(); }
 
   private:
     scene::PlateMotion motion_;

@@ -25,7 +25,8 @@ TEST_CASE("usage errors end with 2 and name what is meant") {
 TEST_CASE("the version names commit, compiler, flags and libraries") {
     const auto result = shaken("--version");
     CHECK(result.code == 0);
-    CHECK_THAT(result.text, Contains("shaken 0") && (Contains("GNU") || Contains("Clang")) && Contains("-O") && Contains("HDF5"));
+    CHECK_THAT(result.text,
+               Contains("shaken 0") && (Contains("GNU") || Contains("Clang")) && Contains("-O") && Contains("HDF5"));
 }
 
 TEST_CASE("a missing scene ends with 66, a bad one with 65") {
