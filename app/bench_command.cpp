@@ -9,11 +9,12 @@
 #include <stdexcept>
 
 #include "app/exit_codes.hpp"
-#include "app/md_run.hpp"
 #include "app/options.hpp"
-#include "compare/scenes.hpp"
 #include "continuum/benchmark.hpp"
 #include "md/benchmark.hpp"
+#include "run/engines.hpp"
+#include "compare/scenes.hpp"
+#include "scene/read_scene.hpp"
 
 namespace shaken::app {
 
@@ -54,7 +55,7 @@ int run_md_bench(const MdBench& bench) {
         result = md::benchmark(system, bench.collisions);
     } else {
         const scene::Scene scene = compare::read_scene(bench.scene_file, bench.overrides);
-        result = md::benchmark(scene, bench.settle, bench.cycles, md_options_of(scene));
+        result = md::benchmark(scene, bench.settle, bench.cycles, run::md_options_of(scene));
     }
     const nlohmann::ordered_json line{{"particles", result.particles},
                                       {"collisions", result.collisions},

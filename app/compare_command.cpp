@@ -11,7 +11,6 @@
 #include <stdexcept>
 
 #include "app/child_process.hpp"
-#include "app/continuum_notes.hpp"
 #include "app/exit_codes.hpp"
 #include "app/signals.hpp"
 #include "app/start_keys.hpp"
@@ -27,6 +26,8 @@
 #include "fields/period.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
+#include "run/notes.hpp"
+#include "run/resume.hpp"
 #include "scene/read_scene.hpp"
 
 namespace shaken::app {
@@ -107,19 +108,36 @@ nlohmann::ordered_json validity_of(const files::Hdf5File& file) {
     return numbers;
 }
 
-Notes notes_of(const files::Hdf5File& file) {
-    return file.has("/run/notes") ? parted(file.read_text("/run/notes")) : Notes{};
+run::Notes notes_of(const files::Hdf5File& file) {
+    return file.has("/run/notes") ? run::parted(file.read_text("/run/notes")) : run::Notes{};
 }
 
 scene::Scene scene_of(const files::Hdf5File& file, const std::filesystem::path& path) {
     return compare::parse_scene(file.read_text("/provenance/scene"), path.string() + " (scene)");
 }
 
+/// The averages of a run as far as it has got. Throws files::NoInput before its first averaged cycle is whole.
+fields::PhaseMoments reached_moments(const files::Hdf5File& file, const std::string& path) {
+    const std::optional<fields::PhaseMoments> reached = fields::PhaseMoments::read(file, "/profiles").reached();
+    if (!reached)
+        throw files::NoInput(fmt::format("{}: the run has not come to the end of its first averaged cycle", path));
+    return *reached;
+}
+
+/// What is said of an average over fewer cycles than the scene asks for.
+std::optional<std::string> note_of_part(const std::string& engine, const fields::PhaseMoments& moments,
+                                        const scene::Scene& scene) {
+    if (moments.cycles() == scene.sample.average) return std::nullopt;
+    return fmt::format("{} was stopped on its way: averages are over {} of {} cycles.", engine, moments.cycles(),
+                       scene.sample.average);
+}
+
 /// The averages of a run, the higher of two cycles first, and what is found of its period beside that of the runs
 /// before. A single cycle has no period to ask for.
-fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle, const scene::Scene& scene,
-                                compare::Periods& found) {
-    fields::PhaseMoments moments = fields::PhaseMoments::read(file, "/profiles");
+fields::PhaseMoments moments_of(const files::Hdf5File& file, const std::string& path, bool first_cycle,
+                                const scene::Scene& scene, compare::Periods& found) {
+    fields::PhaseMoments moments =
+        first_cycle ? fields::PhaseMoments::read(file, "/profiles") : reached_moments(file, path);
     if (first_cycle) {
         found.of_runs.emplace_back();
         return moments.first_cycle();
@@ -135,8 +153,8 @@ fields::PhaseMoments moments_of(const files::Hdf5File& file, bool first_cycle, c
 }
 
 /// Each once, whatever the number of runs it holds for.
-Notes notes_of_starts(const std::vector<compare::AveragedRun>& runs) {
-    Notes notes;
+run::Notes notes_of_starts(const std::vector<compare::AveragedRun>& runs) {
+    run::Notes notes;
     for (const compare::AveragedRun& run : runs)
         for (const std::string& note : notes_of_start(run.scene))
             if (std::find(notes.begin(), notes.end(), note) == notes.end()) notes.push_back(note);
@@ -200,12 +218,15 @@ int run_compare(const CompareOptions& options) {
     const std::vector<std::filesystem::path> md_folders =
         options.md.empty() ? std::vector<std::filesystem::path>{folder} : options.md;
     const std::filesystem::path continuum_folder = options.continuum.empty() ? folder : options.continuum;
+    for (const std::filesystem::path& md_folder : md_folders) run::restore_outputs(md_folder);
+    run::restore_outputs(continuum_folder);
     const files::Hdf5File continuum_file = open_output(continuum_folder, "continuum");
     const scene::Scene scene = scene_of(continuum_file, continuum_folder / "continuum.h5");
     std::optional<fields::PhaseMoments> md_moments;
     std::vector<compare::AveragedRun> runs;
     CostOfRuns md_cost;
     compare::Periods md_periods, continuum_periods;
+    run::Notes md_parts;
     for (const std::filesystem::path& md_folder : md_folders) {
         const files::Hdf5File file = open_output(md_folder, "md");
         const scene::Scene own = scene_of(file, md_folder / "md.h5");
@@ -213,7 +234,10 @@ int run_compare(const CompareOptions& options) {
         compare::refuse_other_experiment(run, {"continuum", continuum_folder / "continuum.h5", scene});
         if (!runs.empty()) compare::refuse_other_experiment({"md", runs.front().path, runs.front().scene}, run);
         try {
-            const fields::PhaseMoments moments = moments_of(file, options.first_cycle, own, md_periods);
+            const fields::PhaseMoments moments =
+                moments_of(file, (md_folder / "md.h5").string(), options.first_cycle, own, md_periods);
+            if (const auto note = options.first_cycle ? std::nullopt : note_of_part("An MD run", moments, own))
+                md_parts.push_back(*note);
             runs.push_back({md_folder / "md.h5", own, moments.centre_of_mass()});
             if (md_moments) {
                 md_moments->append(moments);
@@ -227,8 +251,8 @@ int run_compare(const CompareOptions& options) {
     }
     compare::refuse_dependent(runs);
     const compare::Medium medium = compare::medium_of(scene);
-    const fields::PhaseMoments continuum_moments =
-        moments_of(continuum_file, options.first_cycle, scene, continuum_periods);
+    const fields::PhaseMoments continuum_moments = moments_of(
+        continuum_file, (continuum_folder / "continuum.h5").string(), options.first_cycle, scene, continuum_periods);
     const compare::Layouts layouts = compare::layouts_of(md_periods, continuum_periods);
     const auto md = compare::measure(*md_moments, scene.motion, medium, layouts.md);
     const auto continuum = compare::measure(continuum_moments, scene.motion, medium, layouts.continuum);
@@ -239,9 +263,12 @@ int run_compare(const CompareOptions& options) {
     std::filesystem::rename(aside, folder / "compare.h5");
     auto summary = compare::summarise(md, continuum, scene, md_cost.mean(), continuum_cost(continuum_file, scene));
     summary["md"]["notes"] = notes_of_starts(runs);
+    for (const std::string& note : md_parts) summary["md"]["notes"].push_back(note);
     if (const auto note = compare::note_of(md.memory, md_moments->cycles())) summary["md"]["notes"].push_back(*note);
     summary["continuum"]["validity"] = validity_of(continuum_file);
     summary["continuum"]["notes"] = notes_of(continuum_file);
+    if (const auto note = options.first_cycle ? std::nullopt : note_of_part("The continuum", continuum_moments, scene))
+        summary["continuum"]["notes"].push_back(*note);
     add_period(summary["md"], "The MD", md_periods, layouts.md);
     add_period(summary["continuum"], "The continuum", continuum_periods, layouts.continuum);
     for (const std::filesystem::path& md_folder : md_folders)
@@ -253,6 +280,7 @@ int run_compare(const CompareOptions& options) {
 }
 
 int run_report(const std::filesystem::path& folder) {
+    run::restore_outputs(folder);
     for (const char* name : {"compare.h5", "summary.json", "md.h5"}) {
         if (!std::filesystem::exists(folder / name)) {
             throw files::NoInput(fmt::format("{}: no such file; make it with: shaken compare {}",

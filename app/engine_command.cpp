@@ -7,21 +7,24 @@
 #include <cstdio>
 #include <fstream>
 #include <sstream>
+#include <type_traits>
 
-#include "app/continuum_run.hpp"
-#include "app/engine_loop.hpp"
 #include "app/exit_codes.hpp"
-#include "app/md_run.hpp"
-#include "app/run_folder.hpp"
+#include "app/progress.hpp"
+#include "app/signals.hpp"
 #include "app/start_keys.hpp"
-#include "app/uniform_run.hpp"
-#include "app/verification_run.hpp"
 #include "compare/scenes.hpp"
 #include "continuum/errors.hpp"
 #include "continuum/resolve.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
+#include "run/continuum_layer.hpp"
+#include "run/driver.hpp"
+#include "run/md_gas.hpp"
+#include "run/md_layer.hpp"
+#include "run/resume.hpp"
+#include "run/verification.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
 
@@ -29,15 +32,16 @@ namespace shaken::app {
 
 namespace {
 
-void print_result(const MdRun& run) {
-    const md::Counters c = run.counters();
+void print_result(const run::MdLayer& run) {
+    const md::Counters c = run.state().counters();
     fmt::print("md: {} pair collisions, {} with the plate, state {:016x}\n", c.pair_collisions, c.plate_collisions,
-               run.state_hash());
+               run.state().state_hash());
 }
 
-void print_result(const UniformRun& run) {
-    fmt::print("md: {} pair collisions, state {:016x}\n", run.counters().pair_collisions, run.state_hash());
-    for (const Measured& m : run.results()) {
+void print_result(const run::MdGas& run, const std::filesystem::path& output) {
+    fmt::print("md: {} pair collisions, state {:016x}\n", run.state().counters().pair_collisions,
+               run.state().state_hash());
+    for (const run::Measured& m : run::gas_results(run.scene(), output)) {
         // An error that may be too small is not left bare.
         fmt::print("{:40} {:.6g} +- {}{:.2g}", m.name, m.value, m.is_too_short ? "at least " : "", m.error);
         if (m.reference) fmt::print("   {:.6g} ({})", *m.reference, m.source);
@@ -49,35 +53,64 @@ void print_result(const UniformRun& run) {
     }
 }
 
-void print_result(const ContinuumRun& run) {
-    fmt::print("continuum: {} steps, state {:016x}\n", run.steps(), run.state_hash());
-    fmt::print("validity: {}\n", compare::in_words(run.validity()));
-    for (const std::string& note : run.notes()) fmt::print("note: {}\n", note);
+void print_result(const run::ContinuumLayer& run) {
+    fmt::print("continuum: {} steps, state {:016x}\n", run.state().steps(), run.state().state_hash());
+    fmt::print("validity: {}\n", compare::in_words(run.record().validity()));
+    for (const std::string& note : run.record().notes()) fmt::print("note: {}\n", note);
 }
 
-template <class Run>
-int finish(Run& run, const scene::Scene& scene, const EngineFiles& files, const EngineOptions& options, Spent before,
-           const std::string& parent) {
-    EngineLoop<Run> loop(run, files, options, before);
+void print_result(const run::VerificationRun& run) {
+    const continuum::Verification& v = run.found();
+    fmt::print("continuum: {} cells, {} steps\n", v.height.size(), v.steps);
+    for (const continuum::Checked& number : v.numbers) {
+        if (number.why_no_exact.empty())
+            fmt::print("{:36} {:.8g}   exact {:.8g}   error {:.3g}\n", number.name, number.computed, number.exact,
+                       number.relative_error());
+        else
+            fmt::print("{:36} {:.8g}   no exact value: {}\n", number.name, number.computed, number.why_no_exact);
+    }
+    if (v.why_no_exact.empty())
+        fmt::print("mean error: volume fraction {:.3g}, velocity {:.3g}, temperature {:.3g}\n", v.volume_fraction_error,
+                   v.velocity_error, v.temperature_error);
+    else
+        fmt::print("no exact profile: {}\n", v.why_no_exact);
+}
+
+void print(const auto& run, const std::filesystem::path& output) {
+    if constexpr (requires { print_result(run, output); })
+        print_result(run, output);
+    else
+        print_result(run);
+}
+
+template <run::EngineRun Run>
+int finish(Run& engine_run, const scene::Scene& scene, const run::EngineFiles& files, const EngineOptions& options,
+           run::Origin origin) {
+    ProgressDisplay display(options.quiet);
+    const auto show = [&](const run::Status& status, bool last) {
+        last ? display.finish({status}) : display.draw({status});
+    };
+    const run::Controls controls{stop_requested, take_checkpoint_request, show, options.max_walltime,
+                                 options.checkpoint_every};
+    run::Driver<Run> driver(engine_run, files, controls, std::move(origin));
+    const std::string engine = engine_run.engine();
     try {
-        if (loop.go() == Outcome::stopped) {
-            spdlog::warn("{}: stopped; go on with: shaken {} --resume {}", run.name(), run.name(),
-                         files.folder.string());
+        if (driver.go() == run::Outcome::stopped) {
+            spdlog::warn("{}: stopped; go on with: shaken {} --resume {}", engine, engine, files.folder.string());
             return exit_code::stopped;
         }
-        run.write(files.output(), loop.spent(), parent);
     } catch (const continuum::RunFailed&) {
-        loop.keep_last_state();
-        loop.finish("failed");
+        driver.keep_last_state();
+        driver.finish("failed");
         throw;
     } catch (...) {
-        loop.finish("failed");
+        driver.finish("failed");
         throw;
     }
-    loop.finish("finished");
+    driver.finish("finished");
     if (options.as_child) return exit_code::done;
-    print_result(run);
-    const Notes notes = run.name() == "md" ? notes_of_start(scene) : notes_of_continuum_start(scene, false);
+    print(engine_run, files.output());
+    const run::Notes notes = engine == "md" ? notes_of_start(scene) : notes_of_continuum_start(scene, false);
     for (const std::string& note : notes) fmt::print("note: {}\n", note);
     return exit_code::done;
 }
@@ -86,19 +119,20 @@ template <class Run>
 int start(const std::string& engine, const EngineOptions& options) {
     scene::Scene scene = compare::read_scene(options.scene_file, options.overrides);
     // A child of `run` prints what its parent has printed, resolved for both engines.
-    if (engine == "continuum" || options.as_child) scene = continuum::resolve(std::move(scene));
-    if (engine == "continuum" && (is_verification(scene.kind) || scene.kind == scene::Kind::uniform))
-        return run_verification(scene, options);
-    refuse_verification(scene, engine);
+    if (std::is_same_v<Run, run::VerificationRun>)
+        scene = continuum::resolve_alone(std::move(scene));
+    else if (engine == "continuum" || options.as_child)
+        scene = continuum::resolve(std::move(scene));
+    if (engine == "md") refuse_verification(scene, engine);
     refuse_phase_without_file(scene);
     catch_signals();
-    const EngineFiles files{options.out, engine};
+    const run::EngineFiles files{options.out, engine};
     // Whatever the scene gets wrong shows here, before anything of an earlier run is removed.
-    Run run(scene);
-    if (!options.as_child) prepare_folder(files.folder, options.overwrite, scene::print_scene(scene));
-    const FolderLock lock(files.folder, engine);
+    Run engine_run(scene);
+    if (!options.as_child) run::prepare_folder(files.folder, options.overwrite, scene::print_scene(scene));
+    const run::FolderLock lock(files.folder, engine);
     if (!options.as_child) files::write_atomically(files.folder / "scene.toml", scene::print_scene(scene));
-    return finish(run, scene, files, options, {}, "");
+    return finish(engine_run, scene, files, options, {scene::print_scene(scene), "", {}, 0});
 }
 
 /// A resumed run goes on with the scene it began with; a scene.toml that says otherwise would be a lie beside its
@@ -122,26 +156,27 @@ void refuse_edited_scene(const std::filesystem::path& path, const std::string& b
 
 template <class Run>
 int resume(const std::string& engine, const EngineOptions& options) {
-    const EngineFiles files{options.resume, engine};
+    const run::EngineFiles files{options.resume, engine};
     if (!std::filesystem::is_directory(files.folder)) {
         throw files::NoInput(fmt::format("{}: no such run folder", files.folder.string()));
     }
     catch_signals();
-    const FolderLock lock(files.folder, engine);
-    const files::CheckpointReader in(files.checkpoint());
-    if (in.take_text("engine") != engine) {
-        throw files::Damaged(fmt::format("{}: is a checkpoint of {}, not of {}", files.checkpoint().string(),
-                                         in.take_text("engine"), engine));
-    }
-    refuse_edited_scene(files.folder / "scene.toml", in.take_text("scene"));
-    const scene::Scene scene = compare::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)");
-    Run run(scene);
-    run.restore(in);
-    if (run.next_sample() == run.samples() && files::Hdf5File::is_readable(files.output())) {
+    const run::FolderLock lock(files.folder, engine);
+    const run::Resumed from = run::read_checkpoint(files);
+    refuse_edited_scene(files.folder / "scene.toml", from.origin.scene_text);
+    if (from.is_finished) {
+        if (!files::Hdf5File::is_readable(files.output()))
+            throw files::Damaged(
+                fmt::format("{}: is not readable, and the run that wrote it has finished: begin it "
+                            "anew with --overwrite",
+                            files.output().string()));
+        std::filesystem::remove(files.stream());  // where it was killed on the last step
         spdlog::info("{}: {} is complete", engine, files.output().string());
         return exit_code::done;
     }
-    return finish(run, scene, files, options, in.take_one<Spent>("spent"), files.checkpoint().string());
+    Run engine_run(from.scene);
+    engine_run.restore(from.in, from.next_sample);
+    return finish(engine_run, from.scene, files, options, from.origin);
 }
 
 template <class Run>
@@ -151,12 +186,10 @@ int start_or_resume(const std::string& engine, const EngineOptions& options) {
 
 /// Of the scene to start with, or of the one begun with; a checkpoint that cannot be read is refused by whoever resumes
 /// from it.
-scene::Kind kind_of(const EngineOptions& options) {
+scene::Kind kind_of(const std::string& engine, const EngineOptions& options) {
     if (options.resume.empty()) return compare::read_scene(options.scene_file, options.overrides).kind;
-    const EngineFiles files{options.resume, "md"};
-    if (!std::filesystem::exists(files.checkpoint())) return scene::Kind::layer;
-    const files::CheckpointReader in(files.checkpoint());
-    return compare::parse_scene(in.take_text("scene"), files.checkpoint().string() + " (scene)").kind;
+    const run::EngineFiles files{options.resume, engine};
+    return std::filesystem::exists(files.checkpoint()) ? run::read_checkpoint(files).scene.kind : scene::Kind::layer;
 }
 
 }  // namespace
@@ -169,10 +202,23 @@ void refuse_uniform(const scene::Scene& scene, const std::string& command) {
                             command));
 }
 
-int run_md(const EngineOptions& options) {
-    if (kind_of(options) == scene::Kind::uniform) return start_or_resume<UniformRun>("md", options);
-    return start_or_resume<MdRun>("md", options);
+void refuse_verification(const scene::Scene& scene, const std::string& command) {
+    if (run::is_verification(scene.kind))
+        throw scene::SceneError({},
+                                fmt::format("shaken {}: a scene of this kind is for the continuum alone; run it with: "
+                                            "shaken continuum",
+                                            command));
 }
-int run_continuum(const EngineOptions& options) { return start_or_resume<ContinuumRun>("continuum", options); }
+
+int run_md(const EngineOptions& options) {
+    if (kind_of("md", options) == scene::Kind::uniform) return start_or_resume<run::MdGas>("md", options);
+    return start_or_resume<run::MdLayer>("md", options);
+}
+
+int run_continuum(const EngineOptions& options) {
+    if (kind_of("continuum", options) == scene::Kind::layer)
+        return start_or_resume<run::ContinuumLayer>("continuum", options);
+    return start_or_resume<run::VerificationRun>("continuum", options);
+}
 
 }  // namespace shaken::app

@@ -12,6 +12,9 @@ namespace shaken::app {
 /// Throws scene::SceneError where a command of both engines is given a homogeneous gas.
 void refuse_uniform(const scene::Scene& scene, const std::string& command);
 
+/// Throws scene::SceneError where an engine other than the continuum is asked for a scene with an exact solution.
+void refuse_verification(const scene::Scene& scene, const std::string& command);
+
 /// Both return an exit code (done or stopped) and throw what goes wrong.
 int run_md(const EngineOptions& options);
 int run_continuum(const EngineOptions& options);

@@ -11,10 +11,12 @@
 #include "app/exit_codes.hpp"
 #include "app/options.hpp"
 #include "compare/patterns/pattern_summary.hpp"
-#include "compare/scenes.hpp"
 #include "files/atomic_write.hpp"
 #include "files/errors.hpp"
 #include "files/hdf5.hpp"
+#include "run/resume.hpp"
+#include "compare/scenes.hpp"
+#include "scene/read_scene.hpp"
 
 namespace shaken::app {
 
@@ -38,6 +40,8 @@ compare::PatternSummary pattern_of(const files::Hdf5File& file, const std::files
         throw UsageError(fmt::format("no map in cycles {} to {}; {} has cycles {} to {}", window.first,
                                      window.first + window.cycles - 1, path.string(), maps.cycle(0),
                                      maps.cycle(maps.rows() - 1)));
+    // A run that was stopped has fewer than its scene asks for, and is said to.
+    window.cycles = std::min(window.cycles, maps.cycle(maps.rows() - 1) + 1 - window.first);
     return compare::summarise_pattern(maps, window, options.waves);
 }
 
@@ -73,6 +77,7 @@ void print_pattern(const std::string& engine, const compare::PatternSummary& s) 
 }  // namespace
 
 int run_patterns(const PatternsOptions& options) {
+    run::restore_outputs(options.folder);
     nlohmann::ordered_json all;
     for (const std::string engine : {"md", "continuum"}) {
         const std::filesystem::path path = options.folder / (engine + ".h5");

@@ -17,34 +17,33 @@
 #include "app/engine_command.hpp"
 #include "app/exit_codes.hpp"
 #include "app/progress.hpp"
-#include "app/run_folder.hpp"
 #include "app/signals.hpp"
 #include "app/start_keys.hpp"
-#include "app/verification_run.hpp"
-#include "compare/scenes.hpp"
 #include "continuum/resolve.hpp"
 #include "continuum/solver.hpp"
 #include "files/atomic_write.hpp"
+#include "run/folder.hpp"
+#include "compare/scenes.hpp"
 #include "scene/read_scene.hpp"
 
 namespace shaken::app {
 
 namespace {
 
-Status status_of(const EngineFiles& files) {
+run::Status status_of(const run::EngineFiles& files) {
     std::ostringstream text;
     text << std::ifstream(files.status()).rdbuf();
     try {
-        return Status::from_json(text.str());
+        return run::Status::from_json(text.str());
     } catch (const std::exception&) {
-        Status starting;
+        run::Status starting;
         starting.engine = files.engine;
         starting.remaining = HUGE_VAL;
         return starting;
     }
 }
 
-std::vector<std::string> child_arguments(const EngineFiles& files, const EngineOptions& options) {
+std::vector<std::string> child_arguments(const run::EngineFiles& files, const EngineOptions& options) {
     std::vector<std::string> arguments{files.engine, "--quiet", "--as-child"};
     if (std::filesystem::exists(files.checkpoint())) {
         arguments.insert(arguments.end(), {"--resume", files.folder.string()});
@@ -59,14 +58,14 @@ std::vector<std::string> child_arguments(const EngineFiles& files, const EngineO
 }
 
 /// Waits for both; passes on signals; when one fails, asks the other to stop with a checkpoint.
-std::array<int, 2> wait_for(std::array<ChildProcess, 2>& children, const std::array<EngineFiles, 2>& files,
+std::array<int, 2> wait_for(std::array<ChildProcess, 2>& children, const std::array<run::EngineFiles, 2>& files,
                             bool quiet) {
     ProgressDisplay display(quiet);
     bool told_to_stop = false;
     const auto tell = [&](int number) {
         for (const ChildProcess& child : children) child.signal(number);
     };
-    const auto statuses = [&] { return std::vector<Status>{status_of(files[0]), status_of(files[1])}; };
+    const auto statuses = [&] { return std::vector<run::Status>{status_of(files[0]), status_of(files[1])}; };
     for (;;) {
         const std::array<std::optional<int>, 2> codes{children[0].poll(), children[1].poll()};
         const bool failed = codes[0].value_or(0) != 0 || codes[1].value_or(0) != 0;
@@ -96,14 +95,14 @@ int run_both(const EngineOptions& options) {
         refuse_phase_without_file(scene);
         // The hydrodynamics check their names and sizes here, before the MD begins in vain.
         continuum::Solver{scene};
-        prepare_folder(folder, options.overwrite, scene::print_scene(scene));
+        run::prepare_folder(folder, options.overwrite, scene::print_scene(scene));
         files::write_atomically(folder / "scene.toml", scene::print_scene(scene));
         for (const std::string& note : notes_of_continuum_start(scene, true)) fmt::print("note: {}\n", note);
     } else {
         compare::read_scene(folder / "scene.toml");
     }
-    const FolderLock lock(folder, "run");
-    const std::array<EngineFiles, 2> files{EngineFiles{folder, "md"}, EngineFiles{folder, "continuum"}};
+    const run::FolderLock lock(folder, "run");
+    const std::array<run::EngineFiles, 2> files{run::EngineFiles{folder, "md"}, run::EngineFiles{folder, "continuum"}};
     // Both engines share the cores: a thread that waits must not burn what the other engine needs.
     setenv("OMP_WAIT_POLICY", "passive", 0);
     const std::string self = own_path().string();

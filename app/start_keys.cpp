@@ -8,7 +8,7 @@
 
 namespace shaken::app {
 
-Notes notes_of_start(const scene::Scene& scene) {
+run::Notes notes_of_start(const scene::Scene& scene) {
     const bool seeds = scene.md.seed != scene::Md{}.seed || scene.initial.seed != scene::Initial{}.seed;
     if (scene.initial.file.empty() || !seeds) return {};
     return {
@@ -16,10 +16,10 @@ Notes notes_of_start(const scene::Scene& scene) {
         "one run, whatever their seeds."};
 }
 
-Notes notes_of_continuum_start(const scene::Scene& scene, bool beside_md) {
+run::Notes notes_of_continuum_start(const scene::Scene& scene, bool beside_md) {
     if (scene.kind != scene::Kind::layer) return {};
     const scene::Initial &given = scene.initial, usual;
-    Notes notes;
+    run::Notes notes;
     if (given.wave == 0.0 && (given.wave_x != usual.wave_x || given.wave_y != usual.wave_y))
         notes.push_back(
             fmt::format("initial.wave_x = {} and initial.wave_y = {} have no part in a start without a wave: "

@@ -24,19 +24,18 @@ double limited_slope(std::span<const double> values, std::size_t k) {
 
 }  // namespace
 
-ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_height)
+ContinuumSampler::ContinuumSampler(const scene::Scene& scene, double floor_height, fields::Heights heights)
     : motion_(scene.motion),
-      times_(scene.sample),
+      schedule_(scene),
       floor_height_(floor_height),
-      moments_(scene_moments(scene, fields::Deposits::cells)),
+      moments_(scene_moments(scene, fields::Deposits::cells, heights)),
       maps_(scene_map_grid(scene)) {}
 
-void ContinuumSampler::keep_map(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase) {
-    const double ft = static_cast<double>(phase) / static_cast<double>(times_.phases);
-    const double floor = motion_.position(ft * motion_.period()) + floor_height_;
+void ContinuumSampler::keep_map(const continuum::Solver& solver, const scene::Instant& at) {
+    const double floor = motion_.position(schedule_.time_in_cycle(at)) + floor_height_;
     const double side_x = maps_.grid().length_x / static_cast<double>(solver.cells_x());
     const double side_y = maps_.grid().length_y / static_cast<double>(solver.cells_y());
-    maps_.begin(cycle, ft);
+    maps_.begin(at.cycle, schedule_.phase(at));
     for (std::int64_t iy = 0; iy < solver.cells_y(); ++iy) {
         for (std::int64_t ix = 0; ix < solver.cells_x(); ++ix) {
             const continuum::ColumnView column = solver.column(ix, iy);
@@ -52,11 +51,11 @@ void ContinuumSampler::keep_map(const continuum::Solver& solver, std::int64_t cy
     maps_.end();
 }
 
-void ContinuumSampler::sample(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase) {
-    if (is_map(times_, phase)) keep_map(solver, cycle, phase);
-    if (cycle < times_.settle || cycle >= times_.settle + times_.average) return;
-    moments_.begin_sample(cycle - times_.settle, phase);
-    const double time = static_cast<double>(phase) / static_cast<double>(moments_.phases()) * motion_.period();
+void ContinuumSampler::sample(const continuum::Solver& solver, const scene::Instant& at) {
+    if (schedule_.is_map(at)) keep_map(solver, at);
+    if (!schedule_.is_averaged(at.cycle)) return;
+    moments_.begin_sample(schedule_.averaged_cycle(at.cycle), at.phase_index);
+    const double time = schedule_.time_in_cycle(at);
     const double plate = motion_.position(time);
     const double plate_velocity = motion_.velocity(time);
     const double area_share = 1.0 / static_cast<double>(solver.cells_x() * solver.cells_y());

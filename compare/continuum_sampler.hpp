@@ -5,13 +5,13 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 
 #include "continuum/solver.hpp"
 #include "fields/height_maps.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/checkpoint.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::compare {
 
@@ -19,24 +19,27 @@ class ContinuumSampler {
   public:
     /// floor_height: height of the continuum's floor above the plate, 0 or half a diameter; where it lies is a choice
     /// of the model, and the equations do not know it.
-    explicit ContinuumSampler(const scene::Scene& scene, double floor_height = 0.0);
+    explicit ContinuumSampler(const scene::Scene& scene, double floor_height = 0.0,
+                              fields::Heights heights = fields::Heights::kept);
 
     /// Cycles before the scene's settling time and after its averaging time are left out.
-    void sample(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase);
+    void sample(const continuum::Solver& solver, const scene::Instant& at);
     void save(files::CheckpointWriter& out) const;
     void restore(const files::CheckpointReader& in);
 
     const fields::PhaseMoments& moments() const { return moments_; }
     /// Of every cycle from the start; empty unless the scene asks for maps.
     const fields::HeightMaps& maps() const { return maps_; }
+    /// For whoever has taken them elsewhere.
+    void clear_maps() { maps_.clear(); }
 
   private:
-    void keep_map(const continuum::Solver& solver, std::int64_t cycle, std::int64_t phase);
+    void keep_map(const continuum::Solver& solver, const scene::Instant& at);
     void add_cell(const continuum::ColumnView& column, std::size_t k, double lower, double dz, double plate_velocity,
                   double area_share);
 
     scene::PlateMotion motion_;
-    scene::Sample times_;
+    scene::Schedule schedule_;
     double floor_height_;
     fields::PhaseMoments moments_;
     fields::HeightMaps maps_;

@@ -18,11 +18,15 @@ fields::Bins scene_bins(const scene::Scene& scene) {
     return {0.0, width, static_cast<std::int64_t>(std::ceil(scene.continuum.lid / width - 1e-9))};
 }
 
-fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits) {
+fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits, fields::Heights heights) {
     const scene::Sample& sample = scene.sample;
-    return {deposits,          sample.phases,
-            scene_bins(scene), scene.box.x * scene.box.y,
-            sample.average,    std::min(sample.average, most_blocks)};
+    return {deposits,
+            sample.phases,
+            scene_bins(scene),
+            scene.box.x * scene.box.y,
+            sample.average,
+            std::min(sample.average, most_blocks),
+            heights};
 }
 
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene) {
@@ -32,26 +36,21 @@ fields::HorizontalGrid scene_map_grid(const scene::Scene& scene) {
     return {bins(scene.box.x), bins(scene.box.y), scene.box.x, scene.box.y};
 }
 
-bool is_map(const scene::Sample& sample, std::int64_t phase) {
-    return sample.map_bin > 0.0 && phase % (sample.phases / sample.maps) == 0;
-}
-
-MdSampler::MdSampler(const scene::Scene& scene)
+MdSampler::MdSampler(const scene::Scene& scene, fields::Heights heights)
     : motion_(scene.motion),
-      times_(scene.sample),
-      moments_(scene_moments(scene, fields::Deposits::particles)),
+      schedule_(scene),
+      moments_(scene_moments(scene, fields::Deposits::particles, heights)),
       maps_(scene_map_grid(scene)) {}
 
-void MdSampler::sample(const md::Snapshot& snapshot, std::int64_t cycle, std::int64_t phase) {
-    if (is_map(times_, phase)) {
-        maps_.begin(cycle, static_cast<double>(phase) / static_cast<double>(times_.phases));
-        for (const auto& at : snapshot.position) maps_.add_point(at[0], at[1], 1.0, at[2]);
+void MdSampler::sample(const md::Snapshot& snapshot, const scene::Instant& at) {
+    if (schedule_.is_map(at)) {
+        maps_.begin(at.cycle, schedule_.phase(at));
+        for (const auto& r : snapshot.position) maps_.add_point(r[0], r[1], 1.0, r[2]);
         maps_.end();
     }
-    if (cycle < times_.settle || cycle >= times_.settle + times_.average) return;
-    moments_.begin_sample(cycle - times_.settle, phase);
-    const double time = static_cast<double>(phase) / static_cast<double>(moments_.phases()) * motion_.period();
-    const double plate = motion_.position(time);
+    if (!schedule_.is_averaged(at.cycle)) return;
+    moments_.begin_sample(schedule_.averaged_cycle(at.cycle), at.phase_index);
+    const double plate = motion_.position(schedule_.time_in_cycle(at));
     double sum = 0.0;
     for (std::size_t i = 0; i < snapshot.position.size(); ++i) {
         moments_.add_particle(snapshot.position[i][2] - plate, snapshot.velocity[i]);

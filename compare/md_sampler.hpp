@@ -3,13 +3,12 @@
 // and the height of the centre of mass of all of them.
 #pragma once
 
-#include <cstdint>
-
 #include "fields/height_maps.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/checkpoint.hpp"
 #include "md/observer.hpp"
 #include "scene/scene.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::compare {
 
@@ -18,29 +17,29 @@ namespace shaken::compare {
 fields::Bins scene_bins(const scene::Scene& scene);
 
 /// Empty sums of an engine for a scene: its phases, bins, area, cycles averaged over, in at most ten blocks.
-fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits);
+fields::PhaseMoments scene_moments(const scene::Scene& scene, fields::Deposits deposits, fields::Heights heights);
 
 /// The horizontal bins of a scene's maps, as wide as [sample] map_bin as nearly as whole bins can be; none without it.
 fields::HorizontalGrid scene_map_grid(const scene::Scene& scene);
-/// Whether a map is kept at this sample instant.
-bool is_map(const scene::Sample& sample, std::int64_t phase);
 
 class MdSampler : public md::Observer {
   public:
-    explicit MdSampler(const scene::Scene& scene);
+    explicit MdSampler(const scene::Scene& scene, fields::Heights heights = fields::Heights::kept);
 
     /// Cycles before the scene's settling time and after its averaging time are left out.
-    void sample(const md::Snapshot& snapshot, std::int64_t cycle, std::int64_t phase) override;
+    void sample(const md::Snapshot& snapshot, const scene::Instant& at) override;
     void save(files::CheckpointWriter& out) const override;
     void restore(const files::CheckpointReader& in) override;
 
     const fields::PhaseMoments& moments() const { return moments_; }
     /// Of every cycle from the start; empty unless the scene asks for maps.
     const fields::HeightMaps& maps() const { return maps_; }
+    /// For whoever has taken them elsewhere.
+    void clear_maps() { maps_.clear(); }
 
   private:
     scene::PlateMotion motion_;
-    scene::Sample times_;
+    scene::Schedule schedule_;
     fields::PhaseMoments moments_;
     fields::HeightMaps maps_;
 };

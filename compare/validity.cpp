@@ -57,18 +57,19 @@ Validity validity_of(std::span<const continuum::ColumnView> columns, double spac
     return v;
 }
 
+void add(ValidityOfRun& run, const Validity& state, double share) {
+    Validity& m = run.mean;
+    m.knudsen += share * state.knudsen;
+    m.omega_tau += share * state.omega_tau;
+    m.packed_share += share * state.packed_share;
+    m.knudsen_largest = std::max(m.knudsen_largest, state.knudsen_largest);
+    m.omega_tau_largest = std::max(m.omega_tau_largest, state.omega_tau_largest);
+    run.packed_share_largest = std::max(run.packed_share_largest, state.packed_share);
+}
+
 ValidityOfRun over_run(std::span<const Validity> states) {
     ValidityOfRun run;
-    Validity& m = run.mean;
-    for (const Validity& state : states) {
-        const double share = 1.0 / static_cast<double>(states.size());
-        m.knudsen += share * state.knudsen;
-        m.omega_tau += share * state.omega_tau;
-        m.packed_share += share * state.packed_share;
-        m.knudsen_largest = std::max(m.knudsen_largest, state.knudsen_largest);
-        m.omega_tau_largest = std::max(m.omega_tau_largest, state.omega_tau_largest);
-        run.packed_share_largest = std::max(run.packed_share_largest, state.packed_share);
-    }
+    for (const Validity& state : states) add(run, state, 1.0 / static_cast<double>(states.size()));
     return run;
 }
 

@@ -39,6 +39,8 @@ struct ValidityOfRun {
     Validity mean;
     double packed_share_largest = 0.0;
 };
+/// One state more, its means with this share.
+void add(ValidityOfRun& run, const Validity& state, double share);
 ValidityOfRun over_run(std::span<const Validity> states);
 
 /// Name and value of each number, as files have them.

@@ -82,7 +82,7 @@ void refuse_instability(const Method& method, double t, double dt) {
 
 }  // namespace
 
-void advance(Method& method, double from, double to, double shortest) {
+bool advance(Method& method, double from, double to, double shortest, const std::function<bool()>& asked_to_stop) {
     const double interval = to - from;
     double done = 0.0;
     for (std::int64_t step = 1; done < interval; ++step) {
@@ -98,8 +98,10 @@ void advance(Method& method, double from, double to, double shortest) {
         method.step(from + done, dt);
         done = pieces <= 1.0 ? interval : done + dt;
         if (step % steps_between_looks == 0) refuse_unsound(method, from + done);
+        if (asked_to_stop && asked_to_stop()) return false;
     }
     refuse_unsound(method, to);
+    return true;
 }
 
 }  // namespace shaken::continuum

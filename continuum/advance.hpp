@@ -3,6 +3,8 @@
 // become too small, where a floor holds the gas, where it makes or loses mass or energy by itself.
 #pragma once
 
+#include <functional>
+
 #include "continuum/method.hpp"
 
 namespace shaken::continuum {
@@ -16,7 +18,7 @@ inline constexpr double most_mass_unstable = 0.1;
 
 /// In equal steps as far as the state allows, the last one ending at `to`; local time. Throws RunFailed with place and
 /// time where a step below `shortest` is asked for, the floor holds, the method makes or is unstable in more than the
-/// shares above.
-void advance(Method& method, double from, double to, double shortest);
+/// shares above. False where it was asked to stop on the way, which it is after every step.
+bool advance(Method& method, double from, double to, double shortest, const std::function<bool()>& asked_to_stop = {});
 
 }  // namespace shaken::continuum

@@ -49,13 +49,6 @@ double share_below_soft_top(double z, double height, double temperature) {
 /// The stored state on this grid, its mass made that of the scene.
 void fill_from_file(Setup& setup, const scene::Scene& scene, const std::vector<double>& factors, double floor,
                     double packing) {
-    const double instant = scene.initial.phase * static_cast<double>(scene.sample.phases);
-    setup.start_phase = std::llround(instant) % scene.sample.phases;
-    if (std::abs(instant - std::round(instant)) > 1e-9 * static_cast<double>(scene.sample.phases))
-        throw scene::SceneError({}, fmt::format("initial.phase = {} is no sample instant of sample.phases = {}",
-                                                scene.initial.phase, scene.sample.phases));
-    if (setup.start_phase > 0 && scene.sample.settle + scene.sample.average < 2)
-        throw scene::SceneError({}, "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
     const Grid& grid = setup.grid;
     const StoredFlow stored = read_flow(scene.initial.file, scene.initial.phase);
     double sum = 0.0;

@@ -22,7 +22,6 @@ struct Setup {
     scene::Restitution sink = scene::RestitutionConstant{1.0};
     scene::Continuum choices;          // names, cfl
     double floor_temperature = 1e-30;  // in g sigma
-    std::int64_t start_phase = 0;      // sample instant of the first cycle that the flow is that of
 
     explicit Setup(const Grid& g) : grid(g), flow(g) {}
 };

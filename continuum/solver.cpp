@@ -11,43 +11,44 @@
 #include "continuum/initial_state.hpp"
 #include "continuum/method.hpp"
 #include "files/errors.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::continuum {
 
 struct Solver::Parts {
-    explicit Parts(const scene::Scene& scene) : period(scene.motion.period()), phases(scene.sample.phases) {
-        Setup setup = make_setup(scene);
-        phase = setup.start_phase;
-        method = make_method(std::move(setup));
-    }
+    explicit Parts(const scene::Scene& scene)
+        : period(scene.motion.period()),
+          phases(scene.sample.phases),
+          phase_index(scene::start_of(scene).phase_index),
+          method(make_method(make_setup(scene))) {}
 
-    double instant(std::int64_t at_phase) const {
-        return period * (static_cast<double>(at_phase) / static_cast<double>(phases));
+    double instant(std::int64_t index) const {
+        return period * (static_cast<double>(index) / static_cast<double>(phases));
     }
 
     /// From one sample instant to the next, in equal steps as far as the waves allow.
-    void advance_one_phase() {
-        const double from = instant(phase), to = instant(phase + 1);
+    void advance_one_interval() {
+        const double from = instant(phase_index), to = instant(phase_index + 1);
         try {
-            advance(*method, from + past, to, (to - from) / most_steps_a_phase);
+            advance(*method, from + past, to, (to - from) / most_steps_an_interval);
         } catch (const RunFailed& failure) {
             past = failure.time - from;
             throw RunFailed(fmt::format("{}, in cycle {}", failure.what(), cycle), failure.time);
         }
         past = 0.0;
-        if (++phase == phases) {
-            phase = 0;
+        if (++phase_index == phases) {
+            phase_index = 0;
             ++cycle;
         }
     }
 
-    static constexpr double most_steps_a_phase = 1e6;
+    static constexpr double most_steps_an_interval = 1e6;
 
-    std::unique_ptr<Method> method;
     double period;
     std::int64_t phases;
-    std::int64_t cycle = 0, phase = 0;
-    double past = 0.0;  // time since that phase, where a run has failed on the way to the next
+    std::int64_t cycle = 0, phase_index;
+    std::unique_ptr<Method> method;
+    double past = 0.0;  // time since that instant, where a run has failed on the way to the next
 };
 
 Solver::Solver(const scene::Scene& scene) : parts_(std::make_unique<Parts>(scene)) {}
@@ -55,18 +56,18 @@ Solver::~Solver() = default;
 Solver::Solver(Solver&&) noexcept = default;
 Solver& Solver::operator=(Solver&&) noexcept = default;
 
-void Solver::advance_to_phase(std::int64_t cycle, std::int64_t phase) {
-    const auto reached = [&] { return parts_->cycle * parts_->phases + parts_->phase; };
-    const std::int64_t wanted = cycle * parts_->phases + phase;
-    if (phase < 0 || phase >= parts_->phases || wanted < reached())
-        throw std::logic_error(fmt::format("continuum: cycle {} phase {} does not lie ahead of cycle {} phase {}",
-                                           cycle, phase, parts_->cycle, parts_->phase));
-    while (reached() < wanted) parts_->advance_one_phase();
+void Solver::advance_to_instant(std::int64_t cycle, std::int64_t phase_index) {
+    const auto reached = [&] { return parts_->cycle * parts_->phases + parts_->phase_index; };
+    const std::int64_t wanted = cycle * parts_->phases + phase_index;
+    if (phase_index < 0 || phase_index >= parts_->phases || wanted < reached())
+        throw std::logic_error(fmt::format("continuum: instant {} of cycle {} does not lie ahead of instant {} of cycle {}",
+                                           phase_index, cycle, parts_->phase_index, parts_->cycle));
+    while (reached() < wanted) parts_->advance_one_interval();
 }
 
 std::int64_t Solver::cycle() const { return parts_->cycle; }
-std::int64_t Solver::phase() const { return parts_->phase; }
-double Solver::time_in_cycle() const { return parts_->instant(parts_->phase); }
+std::int64_t Solver::phase_index() const { return parts_->phase_index; }
+double Solver::time_in_cycle() const { return parts_->instant(parts_->phase_index); }
 
 std::int64_t Solver::cells_x() const { return parts_->method->grid().nx; }
 std::int64_t Solver::cells_y() const { return parts_->method->grid().ny; }
@@ -93,7 +94,7 @@ Ledger Solver::ledger() const { return parts_->method->ledger(); }
 void Solver::save(files::CheckpointWriter& out) const {
     parts_->method->save(out);
     out.put("continuum/cycle", parts_->cycle);
-    out.put("continuum/phase", parts_->phase);
+    out.put("continuum/phase", parts_->phase_index);
     out.put("continuum/phases", parts_->phases);
     out.put("continuum/past", parts_->past);
 }
@@ -106,7 +107,7 @@ void Solver::restore(const files::CheckpointReader& in) {
             "the checkpoint was written for another grid or another number of phases than the scene's");
     parts_->method->restore(in);
     parts_->cycle = in.take_one<std::int64_t>("continuum/cycle");
-    parts_->phase = in.take_one<std::int64_t>("continuum/phase");
+    parts_->phase_index = in.take_one<std::int64_t>("continuum/phase");
     parts_->past = in.take_one<double>("continuum/past");
 }
 

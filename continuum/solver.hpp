@@ -23,21 +23,21 @@ struct ColumnView {
 
 class Solver {
   public:
-    /// Builds the scene's initial state at cycle 0, phase 0 (or initial.phase of a file). Throws scene::SceneError
+    /// Builds the scene's initial state at cycle 0, ft = 0 (or initial.phase of a file). Throws scene::SceneError
     /// (with the place) for a name of [continuum] that no table has or values that contradict each other.
     explicit Solver(const scene::Scene& scene);
     ~Solver();
     Solver(Solver&&) noexcept;
     Solver& operator=(Solver&&) noexcept;
 
-    /// Advances to the sample instant phase/phases of a cycle, phases as in the scene's [sample]. Steps end exactly on
+    /// Advances to a sample instant of a cycle, numbered as in scene/schedule.hpp. Steps end exactly on
     /// every sample instant on the way, and nothing else shapes them, so that no output changes an answer.
     /// Throws std::logic_error for an instant in the past, RunFailed where the method fails.
-    void advance_to_phase(std::int64_t cycle, std::int64_t phase);
+    void advance_to_instant(std::int64_t cycle, std::int64_t phase_index);
 
     std::int64_t cycle() const;
     double time_in_cycle() const;
-    std::int64_t phase() const;  // sample instant reached
+    std::int64_t phase_index() const;  // of the sample instant reached
 
     std::int64_t cells_x() const;
     std::int64_t cells_y() const;

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Runs of the kinds riemann, piston, column, wave, cooling_flow and uniform, and their distance from the exact solution.
+// Runs of the kinds riemann, piston, column, wave, cooling_flow and uniform, and their distance from the exact
+// solution.
 #pragma once
 
+#include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,13 +31,18 @@ struct Verification {
     std::int64_t steps = 0;
 };
 
-/// When a wave of sound is compared: over whole periods, after what is not of it has gone..
+/// When a wave of sound is compared: over whole periods, after what is not of it has gone.
 struct PeriodsOfWave {
     double begin, end;
 };
 PeriodsOfWave periods_of_wave(double time, double period);
 
-/// Throws scene::SceneError for wrong names, RunFailed where the method fails, std::invalid_argument for a layer.
+/// Throws scene::SceneError for wrong names, std::invalid_argument for a layer.
+void refuse_unverifiable(const scene::Scene& scene);
+
+/// Throws that, and RunFailed where the method fails.
 Verification verify(const scene::Scene& scene);
+/// Nothing where it was asked to stop on the way.
+std::optional<Verification> verify_unless(const std::function<bool()>& asked_to_stop, const scene::Scene& scene);
 
 }  // namespace shaken::continuum

@@ -82,6 +82,12 @@ void HeightMaps::end() {
         heights_.push_back(mass_[bin] > 0.0 ? moment_[bin] / mass_[bin] : sum / std::max(1.0, filled));
 }
 
+void HeightMaps::clear() {
+    cycles_.clear();
+    phases_.clear();
+    heights_.clear();
+}
+
 void HeightMaps::save(files::CheckpointWriter& out, const std::string& prefix) const {
     out.put(prefix + "cycle", cycles_);
     out.put(prefix + "phase", phases_);

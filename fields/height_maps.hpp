@@ -46,6 +46,8 @@ class HeightMaps {
     /// A rectangle from (x, y), of these sides, no larger than the grid: its mass and the height of its own centre.
     void add_rectangle(double x, double y, double side_x, double side_y, double mass, double height);
     void end();
+    /// Forgets all maps, for whoever has taken them elsewhere.
+    void clear();
 
     void save(files::CheckpointWriter& out, const std::string& prefix) const;
     void restore(const files::CheckpointReader& in, const std::string& prefix);

@@ -36,15 +36,21 @@ std::vector<bool> all_but(std::int64_t block, std::int64_t blocks) {
 }
 
 PhaseMoments::PhaseMoments(Deposits deposits, std::int64_t phases, Bins bins, double area, std::int64_t cycles,
-                           std::int64_t blocks)
-    : deposits_(deposits), phases_(phases), cycles_(cycles), blocks_(blocks), bins_(bins), area_(area) {
+                           std::int64_t blocks, Heights heights)
+    : deposits_(deposits),
+      phases_(phases),
+      cycles_(cycles),
+      blocks_(blocks),
+      bins_(bins),
+      area_(area),
+      heights_(heights) {
     if (phases < 1 || bins.count < 1 || cycles < 1 || blocks < 1 || blocks > cycles || !(area > 0.0)) {
         throw std::invalid_argument(fmt::format("PhaseMoments: {} phases, {} bins, {} cycles, {} blocks, area {}",
                                                 phases, bins.count, cycles, blocks, area));
     }
     sums_.resize(static_cast<std::size_t>(blocks * phases * bins.count) * moments);
     samples_.resize(static_cast<std::size_t>(blocks * phases));
-    centre_of_mass_.assign(static_cast<std::size_t>(cycles * phases), unknown);
+    if (heights == Heights::kept) centre_of_mass_.assign(static_cast<std::size_t>(cycles * phases), unknown);
     for (std::int64_t cycle = 0; cycle < cycles; ++cycle) is_second_.push_back(cycle % 2 != 0);
     second_sums_.resize(sums_.size());
     second_samples_.resize(samples_.size());
@@ -107,7 +113,8 @@ void PhaseMoments::add_slab(double lower, double upper, double density, const st
 }
 
 void PhaseMoments::set_centre_of_mass(double height_lab) {
-    centre_of_mass_[static_cast<std::size_t>(cycle_ * phases_ + phase_)] = height_lab;
+    latest_centre_of_mass_ = height_lab;
+    if (heights_ == Heights::kept) centre_of_mass_[static_cast<std::size_t>(cycle_ * phases_ + phase_)] = height_lab;
 }
 
 void PhaseMoments::expect_apart(Flow flow) const {
@@ -288,6 +295,30 @@ PhaseMoments PhaseMoments::first_cycle() const {
         }
     }
     return first;  // of one cycle, so that nothing of it belongs to a second flow
+}
+
+std::optional<PhaseMoments> PhaseMoments::reached() const {
+    const auto is_sampled = [](double height) { return !std::isnan(height); };
+    const auto last = std::find_if(centre_of_mass_.rbegin(), centre_of_mass_.rend(), is_sampled);
+    const std::int64_t whole = (centre_of_mass_.rend() - last) / phases_;
+    if (whole == cycles_) return *this;
+    if (whole == 0) return std::nullopt;
+    const std::int64_t blocks = block_of(whole);  // those before the one that the next cycle belongs to
+    std::int64_t cycles = whole;
+    while (blocks > 0 && block_of(cycles - 1) == blocks) --cycles;
+    PhaseMoments part(deposits_, phases_, bins_, area_, cycles, std::max<std::int64_t>(1, blocks));
+    const auto take = [](const auto& from, auto& to) { to.assign(from.begin(), from.begin() + std::ssize(to)); };
+    take(sums_, part.sums_);
+    take(samples_, part.samples_);
+    take(centre_of_mass_, part.centre_of_mass_);
+    if (keeps_flows_apart()) {
+        take(second_sums_, part.second_sums_);
+        take(second_samples_, part.second_samples_);
+    } else {
+        part.second_sums_.clear();
+        part.second_samples_.clear();
+    }
+    return part;
 }
 
 }  // namespace shaken::fields

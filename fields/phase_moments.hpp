@@ -30,6 +30,10 @@ enum class Deposits { particles, cells };
 /// Whose cycles: all, or every other one. The second flow is that of odd cycles until exchange_flows().
 enum class Flow { both, first, second };
 
+/// Whether the height of the centre of mass of every cycle is kept here, or by whoever asks for the latest one: memory
+/// then does not grow with the cycles.
+enum class Heights { kept, passed_on };
+
 /// Which of so many blocks are kept where one is left out.
 std::vector<bool> all_but(std::int64_t block, std::int64_t blocks);
 
@@ -40,7 +44,7 @@ class PhaseMoments {
 
     /// area: horizontal area of the cell, sigma^2. cycles: how many will be averaged. blocks <= cycles.
     PhaseMoments(Deposits deposits, std::int64_t phases, Bins bins, double area, std::int64_t cycles,
-                 std::int64_t blocks);
+                 std::int64_t blocks, Heights heights = Heights::kept);
 
     /// Names the instant that the following deposits belong to: cycle counts from 0 at the start of averaging.
     void begin_sample(std::int64_t cycle, std::int64_t phase);
@@ -70,6 +74,7 @@ class PhaseMoments {
     std::vector<double> centres_of_mass(std::int64_t phase, Flow flow = Flow::both) const;
     /// Set by the owner of the sample, which knows all the mass (bins may end below the ceiling).
     void set_centre_of_mass(double height_lab);
+    double latest_centre_of_mass() const { return latest_centre_of_mass_; }
     /// Mean over cycles and its standard error over blocks, at a phase; NaN where unknown.
     std::pair<double, double> mean_centre_of_mass(std::int64_t phase, const std::vector<bool>& kept = {},
                                                   Flow flow = Flow::both) const;
@@ -89,10 +94,14 @@ class PhaseMoments {
     /// Of every phase the first cycle that has it, as one block: a run that began in the middle of a cycle, followed
     /// until that phase comes again. Throws std::invalid_argument where cycles share a block, since a block keeps sums.
     PhaseMoments first_cycle() const;
+    /// Of a run that was stopped or killed: its whole blocks, or, before the end of the first, its whole cycles as one;
+    /// nothing before the end of the first cycle. A run that ended is as it was.
+    std::optional<PhaseMoments> reached() const;
 
     /// Of a run that sampled itself: neither appended to nor exchanged.
     void save(files::CheckpointWriter& out, const std::string& prefix) const;
     void restore(const files::CheckpointReader& in, const std::string& prefix);
+    /// Heights that are passed on are not written here: GROUP/centre_of_mass (cycles, phases) is their keeper's.
     void write(files::Hdf5File& file, const std::string& group) const;
     /// A file that does not say what was deposited holds particles if it is an H5MD file.
     static PhaseMoments read(const files::Hdf5File& file, const std::string& group);
@@ -113,9 +122,11 @@ class PhaseMoments {
     Bins bins_;
     double area_;
     std::int64_t cycle_ = 0, phase_ = 0;
+    Heights heights_;
+    double latest_centre_of_mass_ = 0.0;
     std::vector<double> sums_;            // (blocks, phases, bins, moments)
     std::vector<std::int64_t> samples_;   // (blocks, phases)
-    std::vector<double> centre_of_mass_;  // (cycles, phases)
+    std::vector<double> centre_of_mass_;  // (cycles, phases); empty where passed on
     std::vector<bool> is_second_;         // (cycles)
     // Of the second flow alone, shapes as above; empty where it is not known.
     std::vector<double> second_sums_;

@@ -49,7 +49,8 @@ void PhaseMoments::write(files::Hdf5File& file, const std::string& group) const 
     const auto u = [](std::int64_t n) { return static_cast<std::uint64_t>(n); };
     file.write<double>(group + "/sums", sums_, {u(blocks_), u(phases_), u(bins_.count), moments});
     file.write<std::int64_t>(group + "/samples", samples_, {u(blocks_), u(phases_)});
-    file.write<double>(group + "/centre_of_mass", centre_of_mass_, {u(cycles_), u(phases_)});
+    if (heights_ == Heights::kept)
+        file.write<double>(group + "/centre_of_mass", centre_of_mass_, {u(cycles_), u(phases_)});
     if (blocks_ < cycles_ && keeps_flows_apart()) {
         file.write<double>(group + "/odd_sums", second_sums_, {u(blocks_), u(phases_), u(bins_.count), moments});
         file.write<std::int64_t>(group + "/odd_samples", second_samples_, {u(blocks_), u(phases_)});

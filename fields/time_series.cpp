@@ -7,6 +7,8 @@
 #include <span>
 #include <stdexcept>
 
+#include "files/errors.hpp"
+
 namespace shaken::fields {
 
 TimeSeries::TimeSeries(std::vector<std::string> columns) : columns_(std::move(columns)) {}
@@ -27,36 +29,21 @@ double TimeSeries::value(std::size_t row, const std::string& column) const {
     return values_[row * columns_.size() + static_cast<std::size_t>(found - columns_.begin())];
 }
 
-void TimeSeries::save(files::CheckpointWriter& out, const std::string& prefix) const {
-    out.put(prefix + "step", step_);
-    out.put(prefix + "time", time_);
-    out.put(prefix + "values", values_);
-}
-
-void TimeSeries::restore(const files::CheckpointReader& in, const std::string& prefix) {
-    step_ = in.take<std::int64_t>(prefix + "step");
-    time_.resize(step_.size());
-    values_.resize(step_.size() * columns_.size());  // another number of columns is another version's
-    in.take_into(prefix + "time", std::span(time_));
-    in.take_into(prefix + "values", std::span(values_));
-}
-
-void TimeSeries::write(files::Hdf5File& file) const {
-    if (columns_.empty()) return;
-    const std::string first = "/observables/" + columns_.front();
-    for (std::size_t c = 0; c < columns_.size(); ++c) {
-        const std::string group = "/observables/" + columns_[c];
-        std::vector<double> column(rows());
-        for (std::size_t row = 0; row < rows(); ++row) column[row] = values_[row * columns_.size() + c];
-        file.write(group + "/value", column);
-        if (c == 0) {
-            file.write(group + "/step", step_);
-            file.write(group + "/time", time_);
-        } else {
-            file.hard_link(first + "/step", group + "/step");
-            file.hard_link(first + "/time", group + "/time");
-        }
+TimeSeries TimeSeries::read(const files::Hdf5File& file, std::vector<std::string> columns) {
+    TimeSeries series(std::move(columns));
+    if (series.columns_.empty()) return series;
+    const std::string first = "/observables/" + series.columns_.front();
+    series.step_ = file.read<std::int64_t>(first + "/step");
+    series.time_ = file.read<double>(first + "/time");
+    const std::size_t width = series.columns_.size();
+    series.values_.resize(series.rows() * width);
+    for (std::size_t c = 0; c < width; ++c) {
+        const auto column = file.read<double>("/observables/" + series.columns_[c] + "/value");
+        if (column.size() != series.rows() || series.time_.size() != series.rows())
+            throw files::Damaged("/observables/" + series.columns_[c] + ": not as many rows as " + first);
+        for (std::size_t row = 0; row < series.rows(); ++row) series.values_[row * width + c] = column[row];
     }
+    return series;
 }
 
 }  // namespace shaken::fields

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Named columns of numbers, one row a sample instant: totals, ledgers, centre of mass. Kept in the checkpoint with the
-// engine's state, written as H5MD observables.
+// Named columns of numbers, one row a sample instant: totals, ledgers, centre of mass; what a file holds as H5MD
+// observables.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +8,6 @@
 #include <string>
 #include <vector>
 
-#include "files/checkpoint.hpp"
 #include "files/hdf5.hpp"
 
 namespace shaken::fields {
@@ -26,11 +25,8 @@ class TimeSeries {
     /// Throws std::out_of_range for a column that is not there.
     double value(std::size_t row, const std::string& column) const;
 
-    void save(files::CheckpointWriter& out, const std::string& prefix) const;
-    /// Throws files::Damaged where rows are not of as many columns as these.
-    void restore(const files::CheckpointReader& in, const std::string& prefix);
-    /// /observables/NAME/{value,step,time}, step and time shared by hard links.
-    void write(files::Hdf5File& file) const;
+    /// These columns of /observables/NAME/{value,step,time}. Throws files::Damaged where they differ in length.
+    static TimeSeries read(const files::Hdf5File& file, std::vector<std::string> columns);
 
   private:
     std::vector<std::string> columns_;

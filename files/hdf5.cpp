@@ -121,25 +121,48 @@ Hdf5File::Hdf5File(const std::filesystem::path& path, Open how) : path_(path.str
 }
 
 template <class T>
-void Hdf5File::write(const std::string& name, std::span<const T> values, const Shape& shape) {
-    if (values.size() != product(shape))
-        throw std::logic_error(fmt::format("{}: {} has the wrong length", path_, name));
+void Hdf5File::create(const std::string& name, const Shape& shape) {
     const Handle space = space_of(shape);
     const Handle links = make_missing_groups();
     const Handle creation(H5Pcreate(H5P_DATASET_CREATE), H5Pclose);
     H5Pset_obj_track_times(creation.id(), 0);  // dates inside would make the files of equal runs differ
-    if (values.size() > compressed_from) {
+    const std::uint64_t size = product(shape);
+    if (size > compressed_from) {
         std::vector<hsize_t> chunk = extents(shape);
-        chunk[0] = std::max<hsize_t>(1, std::min(chunk[0], compressed_from * 16 * chunk[0] / values.size()));
+        chunk[0] = std::max<hsize_t>(1, std::min(chunk[0], compressed_from * 16 * chunk[0] / size));
         H5Pset_chunk(creation.id(), static_cast<int>(chunk.size()), chunk.data());
         H5Pset_shuffle(creation.id());
         H5Pset_deflate(creation.id(), compression_level);
     }
-    const Handle data = checked(
-        H5Dcreate2(file_.id(), name.c_str(), native_type<T>(), space.id(), links.id(), creation.id(), H5P_DEFAULT),
-        H5Dclose, path_, "creating " + name);
+    checked(H5Dcreate2(file_.id(), name.c_str(), native_type<T>(), space.id(), links.id(), creation.id(), H5P_DEFAULT),
+            H5Dclose, path_, "creating " + name);
+}
+
+template <class T>
+void Hdf5File::write(const std::string& name, std::span<const T> values, const Shape& shape) {
+    if (values.size() != product(shape))
+        throw std::logic_error(fmt::format("{}: {} has the wrong length", path_, name));
+    create<T>(name, shape);
     if (values.empty()) return;
+    const Handle data = checked(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, path_, "opening " + name);
     check(H5Dwrite(data.id(), native_type<T>(), H5S_ALL, H5S_ALL, H5P_DEFAULT, values.data()), path_,
+          "writing " + name);
+}
+
+template <class T>
+void Hdf5File::write_rows(const std::string& name, std::uint64_t first, std::span<const T> values) {
+    if (values.empty()) return;
+    const Handle data = checked(H5Dopen2(file_.id(), name.c_str(), H5P_DEFAULT), H5Dclose, path_, "opening " + name);
+    const Handle space(H5Dget_space(data.id()), H5Sclose);
+    std::vector<hsize_t> block = extents(shape(name)), start(block.size(), 0);
+    const std::uint64_t of_row = product(Shape(block.begin() + 1, block.end())), rows = values.size() / of_row;
+    if (rows * of_row != values.size() || first + rows > block[0])
+        throw std::logic_error(fmt::format("{}: {} does not hold these rows", path_, name));
+    start[0] = first;
+    block[0] = rows;
+    const Handle memory(H5Screate_simple(static_cast<int>(block.size()), block.data(), nullptr), H5Sclose);
+    H5Sselect_hyperslab(space.id(), H5S_SELECT_SET, start.data(), nullptr, block.data(), nullptr);
+    check(H5Dwrite(data.id(), native_type<T>(), memory.id(), space.id(), H5P_DEFAULT, values.data()), path_,
           "writing " + name);
 }
 
@@ -337,6 +360,10 @@ template void Hdf5File::write(const std::string&, std::span<const float>, const 
 template void Hdf5File::write(const std::string&, std::span<const std::int32_t>, const Shape&);
 template void Hdf5File::write(const std::string&, std::span<const std::int64_t>, const Shape&);
 template void Hdf5File::write(const std::string&, std::span<const std::uint64_t>, const Shape&);
+template void Hdf5File::create<double>(const std::string&, const Shape&);
+template void Hdf5File::create<std::int64_t>(const std::string&, const Shape&);
+template void Hdf5File::write_rows(const std::string&, std::uint64_t, std::span<const double>);
+template void Hdf5File::write_rows(const std::string&, std::uint64_t, std::span<const std::int64_t>);
 template void Hdf5File::append(const std::string&, std::span<const double>, const Shape&);
 template void Hdf5File::append(const std::string&, std::span<const float>, const Shape&);
 template void Hdf5File::append(const std::string&, std::span<const std::int32_t>, const Shape&);

@@ -60,6 +60,13 @@ class Hdf5File {
     }
     void write_text(const std::string& name, std::string_view text);
 
+    /// The same in pieces, for what is larger than memory: makes the dataset, then fills it along its first axis, from
+    /// row `first` on.
+    template <class T>
+    void create(const std::string& name, const Shape& shape);
+    template <class T>
+    void write_rows(const std::string& name, std::uint64_t first, std::span<const T> values);
+
     /// Appends one slab along an extensible first axis; makes the dataset at the first call. `shape` is one slab's.
     template <class T>
     void append(const std::string& name, std::span<const T> values, const Shape& shape);

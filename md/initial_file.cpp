@@ -15,6 +15,7 @@
 #include "md/neighbour_lists.hpp"
 #include "md/particle.hpp"
 #include "scene/errors.hpp"
+#include "scene/schedule.hpp"
 
 namespace shaken::md {
 
@@ -95,15 +96,7 @@ Snapshot read_start(const scene::Scene& scene) {
     stored.state.time_in_cycle = 0.0;
     if (scene.kind != scene::Kind::layer) return std::move(stored.state);
     if (distance(stored.phase, initial.phase) > same_phase) refuse_phase(initial, stored.phase);
-    const double instant = initial.phase * static_cast<double>(scene.sample.phases);
-    if (std::abs(instant - std::round(instant)) > same_phase * static_cast<double>(scene.sample.phases))
-        throw scene::SceneError({}, fmt::format("initial.phase = {} is no sample instant of sample.phases = {}",
-                                                initial.phase, scene.sample.phases));
-    const std::int64_t sample = std::llround(instant) % scene.sample.phases;
-    if (sample > 0 && scene.sample.settle + scene.sample.average < 2)
-        throw scene::SceneError({}, "initial.phase above 0 needs two cycles, settling or averaged: the first is short");
-    stored.state.time_in_cycle =
-        static_cast<double>(sample) / static_cast<double>(scene.sample.phases) * scene.motion.period();
+    stored.state.time_in_cycle = scene::Schedule(scene).time_in_cycle(scene::start_of(scene));
     return std::move(stored.state);
 }
 

@@ -5,19 +5,14 @@
 #include <cstdint>
 #include <string>
 
+#include "compare/patterns/expected.hpp"
 #include "scene/scene.hpp"
 
 namespace shaken::plan {
 
-/// Wavelength of a shaken layer's pattern, lambda/H = 1.0 + 1.1 f*^-1.32 (Bizon and others 1998, as Bougie 2004,
-/// figure 5.2), in sigma.
-double pattern_wavelength(const scene::Scene& scene);
-
-/// Whether a wave fits along the longer side of the box; waves down to 0.6 of the formula's live too.
-bool holds_pattern(const scene::Scene& scene);
-
-/// Whether the longer side is below that and yet above 0.37 of the formula's wave, where one deep layer has a wave.
-bool may_hold_pattern(const scene::Scene& scene);
+using compare::holds_pattern;
+using compare::may_hold_pattern;
+using compare::pattern_wavelength;
 
 /// 1 where nothing varies across columns, 2 where waves fit along one side alone, else 3.
 int needed_dimension(const scene::Scene& scene);

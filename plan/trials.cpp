@@ -8,16 +8,17 @@
 #include <ctime>
 #include <filesystem>
 #include <numeric>
+#include <span>
+#include <utility>
 
-#include "compare/continuum_sampler.hpp"
-#include "compare/md_sampler.hpp"
 #include "continuum/errors.hpp"
 #include "continuum/solver.hpp"
 #include "files/checkpoint.hpp"
 #include "files/hdf5.hpp"
 #include "md/errors.hpp"
-#include "md/simulation.hpp"
-#include "plan/wish.hpp"
+#include "run/continuum_layer.hpp"
+#include "run/driver.hpp"
+#include "run/md_layer.hpp"
 
 namespace shaken::plan {
 
@@ -42,33 +43,47 @@ scene::Scene sampled_from_start(scene::Scene scene, std::int64_t cycles) {
     return scene;
 }
 
-/// Every cycle of what a sampler holds, at twenty phases.
-template <class Sampler>
-Heights heights_of(const Sampler& sampler, std::int64_t phases_kept, std::size_t cycles) {
-    const std::vector<double>& all = sampler.moments().centre_of_mass();
-    const auto step = static_cast<std::size_t>(phases_kept) / phases;
-    Heights heights(cycles);
-    for (std::size_t c = 0; c < cycles; ++c)
-        for (std::size_t p = 0; p < phases; ++p)
-            heights[c][p] = all[c * static_cast<std::size_t>(phases_kept) + p * step];
-    return heights;
-}
+/// Takes heights of the centre of mass out of what a run lets go of, every cycle at twenty phases.
+class HeightsOfRun {
+  public:
+    explicit HeightsOfRun(std::int64_t phases_sampled) : step_(static_cast<std::size_t>(phases_sampled) / phases) {}
+    run::Emit emit() {
+        return [this](run::Stream kind, std::span<const double> record) {
+            if (kind != run::Stream::height) return;
+            const auto cycle = static_cast<std::size_t>(record[0]), index = static_cast<std::size_t>(record[1]);
+            if (index % step_ != 0) return;
+            heights_.resize(cycle + 1);
+            heights_[cycle][index / step_] = record[2];
+        };
+    }
+    Heights take(std::int64_t cycles) {
+        heights_.resize(static_cast<std::size_t>(cycles));
+        return std::move(heights_);
+    }
+
+  private:
+    std::size_t step_;
+    Heights heights_;
+};
+
+const run::AskedToStop never = [] { return false; };
+const run::Emit to_nobody = [](run::Stream, std::span<const double>) {};
 
 /// Writes what a run of so many averages leaves, a checkpoint at its start and one at its end, and throws it away.
-template <class Engine, class Sampler>
-double seconds_to_leave(const Engine& engine, const Sampler& sampler) {
+template <class Engine, class Record>
+double seconds_to_leave(const Engine& engine, const Record& record) {
     const double begin = cpu_seconds();
     const std::filesystem::path aside =
         std::filesystem::temp_directory_path() / ("shaken_plan_" + std::to_string(::getpid()));
     for (int written = 0; written < 2; ++written) {
         files::CheckpointWriter checkpoint;
         engine.save(checkpoint);
-        sampler.save(checkpoint);
+        record.save(checkpoint);
         checkpoint.commit(aside);
     }
     {
         files::Hdf5File averages(aside.string() + ".h5", files::Open::create);
-        sampler.moments().write(averages, "/profiles");
+        record.sampler().moments().write(averages, "/profiles");
         averages.close();
     }
     std::filesystem::remove(aside);
@@ -89,28 +104,27 @@ scene::Scene one_column(const scene::Scene& given, const std::string& scheme, do
 
 Column run_column(const scene::Scene& scene) {
     const double first = cpu_seconds();
-    continuum::Solver solver(scene);
+    run::ContinuumLayer layer(scene);
     const double seconds_to_begin = cpu_seconds() - first;
-    compare::ContinuumSampler sampler(scene);
     // What is left grows with the cycles averaged over, of which a plan's continuum has two as a rule.
     scene::Scene end = scene;
     end.sample.settle = std::max<std::int64_t>(0, scene.sample.average - 2);
     end.sample.average = 2;
-    compare::ContinuumSampler sampler_of_end(end);
+    run::ContinuumLayerRecord record_of_end(continuum::resolve(end));
+    const scene::Schedule schedule(end);
+    HeightsOfRun heights(scene.sample.phases);
     const double begin = cpu_seconds();
-    double recorded = 0.0;  // as a run does at every sample
-    for (std::int64_t cycle = 0; cycle < scene.sample.average; ++cycle)
-        for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
-            solver.advance_to_phase(cycle, phase);
-            sampler.sample(solver, cycle, phase);
-            if (cycle >= end.sample.settle) sampler_of_end.sample(solver, cycle, phase);
-            recorded += solver.mass() + solver.ledger().energy;
-        }
-    if (!std::isfinite(recorded)) throw continuum::RunFailed("continuum: a trial is not finite", 0.0);
+    run::lead(layer, never, heights.emit(), [&] {
+        const scene::Instant at = schedule.instant(layer.next_sample() - 1);
+        if (schedule.is_averaged(at.cycle)) record_of_end.sample(layer.state(), at, to_nobody);
+        return true;
+    });
+    if (!std::isfinite(layer.state().mass() + layer.state().ledger().energy))
+        throw continuum::RunFailed("continuum: a trial is not finite", 0.0);
     const auto cycles = static_cast<double>(scene.sample.average);
-    return {heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(scene.sample.average)),
-            (cpu_seconds() - begin) / cycles, static_cast<double>(solver.steps()) / cycles, seconds_to_begin,
-            seconds_to_leave(solver, sampler_of_end)};
+    return {heights.take(scene.sample.average), (cpu_seconds() - begin) / cycles,
+            static_cast<double>(layer.state().steps()) / cycles, seconds_to_begin,
+            seconds_to_leave(layer.state(), record_of_end)};
 }
 
 /// settle cycles, then as many as the budget allows.
@@ -118,38 +132,32 @@ Grains run_grains(const scene::Scene& planned, std::int64_t settle, double budge
     const scene::Scene scene = sampled_from_start(planned, settle + most_md_cycles);
     Grains grains;
     const double start = cpu_seconds();
-    md::Simulation simulation(scene);
+    run::MdLayer layer(scene);
     grains.seconds_once = cpu_seconds() - start;
-    compare::MdSampler sampler(scene);
     // Fills each of its ten blocks, as a run does: empty ones would be written in no time.
-    compare::MdSampler sampler_of_run(sampled_from_start(planned, least_md_cycles));
-    const double period = scene.motion.period();
-    double recorded = 0.0;  // as a run does at every sample
-    std::int64_t cycle = 0;
-    for (; cycle < settle + most_md_cycles; ++cycle) {
-        if (cycle >= settle + least_md_cycles && cpu_seconds() - start > budget) break;
-        double seconds = 0.0;
-        for (std::int64_t phase = 0; phase < scene.sample.phases; ++phase) {
-            const double begin = cpu_seconds();
-            simulation.advance_to(cycle,
-                                  period * static_cast<double>(phase) / static_cast<double>(scene.sample.phases));
-            const md::Snapshot snapshot = simulation.snapshot();
-            sampler.sample(snapshot, cycle, phase);
-            recorded += simulation.ledger().kinetic;
-            seconds += cpu_seconds() - begin;
-            sampler_of_run.sample(snapshot, cycle, phase);
-        }
-        grains.seconds.push_back(seconds);
-    }
-    if (!std::isfinite(recorded)) throw CannotPlan("plan: the trial of the MD is not finite");
-    grains.heights = heights_of(sampler, scene.sample.phases, static_cast<std::size_t>(cycle));
+    run::MdLayerRecord record_of_run(sampled_from_start(planned, least_md_cycles));
+    HeightsOfRun heights(scene.sample.phases);
+    double seconds = 0.0, begin = cpu_seconds();
+    run::lead(layer, never, heights.emit(), [&] {
+        seconds += cpu_seconds() - begin;
+        const std::int64_t sampled = layer.next_sample(), cycles = sampled / scene.sample.phases;
+        record_of_run.sample(layer.state(), scene::Schedule(scene).instant(sampled - 1), to_nobody);
+        const bool is_whole = sampled % scene.sample.phases == 0;
+        if (is_whole) grains.seconds.push_back(std::exchange(seconds, 0.0));
+        const bool is_enough = is_whole && cycles >= settle + least_md_cycles && cpu_seconds() - start > budget;
+        begin = cpu_seconds();
+        return !is_enough;
+    });
+    const auto cycles = static_cast<std::int64_t>(grains.seconds.size());
+    grains.heights = heights.take(cycles);
     grains.settled = settle;
-    grains.seconds_once += seconds_to_leave(simulation, sampler_of_run);
+    const md::Simulation& simulation = layer.state();
+    grains.seconds_once += seconds_to_leave(simulation, record_of_run);
     grains.particles = simulation.particles();
     const auto number = static_cast<double>(grains.particles);
     grains.bytes_per_particle = static_cast<double>(simulation.memory()) / number;
     grains.ceiling_contacts =
-        static_cast<double>(simulation.counters().ceiling_collisions) / number / static_cast<double>(cycle);
+        static_cast<double>(simulation.counters().ceiling_collisions) / number / static_cast<double>(cycles);
     return grains;
 }
 
@@ -231,7 +239,7 @@ double Trials::seconds_per_update(const scene::Scene& planned) {
     continuum::Solver solver(scene);
     const double start = cpu_seconds();
     for (std::int64_t phase = 1; phase < scene.sample.phases && cpu_seconds() - start < patch_seconds; ++phase)
-        solver.advance_to_phase(0, phase);
+        solver.advance_to_instant(0, phase);
     const auto cells = static_cast<double>(solver.cells_x() * solver.cells_y() * solver.cells_z());
     const double seconds = (cpu_seconds() - start) / (cells * static_cast<double>(solver.steps()));
     return updates_[dimension] = seconds;

@@ -13,8 +13,9 @@ MAY_INCLUDE = {
     "continuum": {"scene", "files", "fields"},
     "swift_hohenberg": {"scene"},
     "compare": {"scene", "files", "fields", "md", "continuum"},
-    "plan": {"scene", "files", "fields", "md", "continuum", "compare"},
-    "app": {"scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare", "plan"},
+    "run": {"scene", "files", "fields", "md", "continuum", "compare"},
+    "plan": {"scene", "files", "fields", "md", "continuum", "compare", "run"},
+    "app": {"scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare", "run", "plan"},
 }
 
 

@@ -2,6 +2,7 @@
 // A case: how a flow with a known future starts, and what is known of its end. One file a kind of scene.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,8 +29,12 @@ Case wave_case(const scene::Scene& scene);
 Case uniform_case(const scene::Scene& scene);
 Case cooling_flow_case(const scene::Scene& scene);
 
-/// Leads the method through the wave's time and puts down its speed and damping.
-void check_wave(const scene::Scene& scene, Method& method, double shortest, Verification& v);
+using AskedToStop = std::function<bool()>;
+
+/// Leads the method through the wave's time and puts down its speed and damping; false where it was asked to stop on
+/// the way.
+bool check_wave(const scene::Scene& scene, Method& method, double shortest, const AskedToStop& asked_to_stop,
+                Verification& v);
 /// Puts down the temperatures of a column on a heated bottom, at its end; nothing without such a bottom.
 void check_heated(const scene::Scene& scene, const Method& method, Verification& v);
 

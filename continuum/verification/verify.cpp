@@ -50,7 +50,11 @@ double mean_difference(const std::vector<double>& a, const std::vector<double>& 
 
 }  // namespace
 
-Verification verify(const scene::Scene& given) {
+void refuse_unverifiable(const scene::Scene& scene) { make_method(make_case(resolve(scene)).setup); }
+
+Verification verify(const scene::Scene& scene) { return *verify_unless({}, scene); }
+
+std::optional<Verification> verify_unless(const AskedToStop& asked_to_stop, const scene::Scene& given) {
     const scene::Scene scene = resolve(given);
     Case c = make_case(scene);
     Verification v;
@@ -58,10 +62,9 @@ Verification verify(const scene::Scene& given) {
     const std::unique_ptr<Method> method = make_method(std::move(c.setup));
     // No flow with a known future ever asks for steps so far below its first.
     const double shortest = 1e-6 * std::min(method->longest_step(), duration_of(scene));
-    if (scene.kind == Kind::wave)
-        check_wave(scene, *method, shortest, v);
-    else
-        advance(*method, 0.0, duration_of(scene), shortest);
+    const bool reached = scene.kind == Kind::wave ? check_wave(scene, *method, shortest, asked_to_stop, v)
+                                                  : advance(*method, 0.0, duration_of(scene), shortest, asked_to_stop);
+    if (!reached) return std::nullopt;
     if (scene.kind == Kind::column) check_heated(scene, *method, v);
     for (std::int64_t i = 0; i < method->grid().nz; ++i) v.height.push_back(method->grid().centre(i));
     const Inside now = inside(*method);

@@ -52,7 +52,8 @@ PeriodsOfWave periods_of_wave(double time, double period) {
     return {begin, begin + std::max(1.0, std::round((time - begin) / period)) * period};
 }
 
-void check_wave(const scene::Scene& scene, Method& method, double shortest, Verification& v) {
+bool check_wave(const scene::Scene& scene, Method& method, double shortest, const AskedToStop& asked_to_stop,
+                Verification& v) {
     const EquationOfState state = state_of(scene);
     const double nu = scene.tube.gas.volume_fraction, temperature = scene.tube.gas.temperature;
     const double k = 2.0 * std::numbers::pi / scene.tube.length;
@@ -66,14 +67,15 @@ void check_wave(const scene::Scene& scene, Method& method, double shortest, Veri
             : exact::sound_attenuation(nu / sphere_volume, transport, state.specific_heat_at_constant_pressure(nu));
     const double period = scene.tube.length / speed;
     const auto [begin, end] = periods_of_wave(scene.tube.time, period);
-    advance(method, 0.0, begin, shortest);
+    if (!advance(method, 0.0, begin, shortest, asked_to_stop)) return false;
     const std::complex<double> first = mode(inside(method).volume_fraction);
     constexpr int looks = 16;
     double turned = 0.0;
     std::complex<double> last = first;
     const int parts = looks * static_cast<int>(std::llround((end - begin) / period));
     for (int i = 1; i <= parts; ++i) {
-        advance(method, begin + (end - begin) * (i - 1) / parts, begin + (end - begin) * i / parts, shortest);
+        const double from = begin + (end - begin) * (i - 1) / parts, to = begin + (end - begin) * i / parts;
+        if (!advance(method, from, to, shortest, asked_to_stop)) return false;
         const std::complex<double> now = mode(inside(method).volume_fraction);
         turned -= std::arg(now / last);
         last = now;
@@ -81,6 +83,7 @@ void check_wave(const scene::Scene& scene, Method& method, double shortest, Veri
     v.numbers.push_back({"sound_speed", turned / (k * (end - begin)), speed, why_no_exact});
     v.numbers.push_back(
         {"attenuation", -std::log(std::abs(last / first)) / (k * k * (end - begin)), damping, why_no_exact});
+    return true;
 }
 
 }  // namespace shaken::continuum

@@ -11,7 +11,7 @@ import re
 import tomllib
 
 LIST = "tests/faults.toml"
-FOLDERS = ("scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare", "plan", "app", "scripts")
+FOLDERS = ("scene", "files", "fields", "md", "continuum", "swift_hohenberg", "compare", "run", "plan", "app", "scripts")
 KEYS = {"name": str, "file": str, "text": str, "replacement": str, "breaks": str, "drawn": bool, "survives": str}
 MAY_LACK = {"drawn", "survives"}
 

@@ -66,7 +66,7 @@ def watched(process, begin):
     while True:
         try:
             code = process.wait(timeout=0.05)
-            # A tube keeps no checkpoint and ends at once when it is asked to.
+            # A tube of an earlier version kept no checkpoint and ended at once when it was asked to.
             return STOPPED if asked and code == -signal.SIGTERM else code
         except subprocess.TimeoutExpired:
             spent = cpu_seconds(process.pid)

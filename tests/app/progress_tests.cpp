@@ -7,7 +7,7 @@
 
 using namespace shaken;
 
-using app::Status;
+using run::Status;
 
 TEST_CASE("a status goes through its file unchanged") {
     const Status status{"md", "running", 12.5, 75.0, 3.1e5, "collisions/s", 10.0, 50.0};

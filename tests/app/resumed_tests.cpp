@@ -3,8 +3,8 @@
 #include <chrono>
 #include <filesystem>
 
-#include "app/engine_loop.hpp"
 #include "files/hdf5.hpp"
+#include "run/driver.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -15,8 +15,8 @@ using Clock = std::chrono::steady_clock;
 
 double since(Clock::time_point start) { return std::chrono::duration<double>(Clock::now() - start).count(); }
 
-shaken::app::Spent spent_by(const std::filesystem::path& checkpoint) {
-    return shaken::files::CheckpointReader(checkpoint).take_one<shaken::app::Spent>("spent");
+shaken::run::Spent spent_by(const std::filesystem::path& checkpoint) {
+    return shaken::files::CheckpointReader(checkpoint).take_one<shaken::run::Spent>("spent");
 }
 
 }  // namespace
@@ -32,7 +32,7 @@ TEST_CASE("the file of a resumed run names its checkpoint, its seed and all the 
                               "--set sample.average=160 --max-walltime 0.1 --out " + out)
                    .code;
     const std::filesystem::path file = out + "/" + engine + ".h5";
-    shaken::app::Spent before;
+    shaken::run::Spent before;
     int parts = 1;
     for (; code == 75; ++parts) {
         before = spent_by(checkpoint);

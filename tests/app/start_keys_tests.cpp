@@ -8,7 +8,7 @@
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using shaken::app::Notes;
+using shaken::run::Notes;
 
 namespace {
 

@@ -69,8 +69,8 @@ TEST_CASE("cooling gases follow Haff's law, and the late law where slow contacts
     for (const auto& entry : cooling) {
         if (entry["name"] == "fourth cumulant a2") {
             // Direct simulation, e = 0.8. Over ten collisions of each of 20,000 particles a2 scatters by 0.0026
-            // (tests/md/direct_simulation.hpp), over the thirty of this run by 0.0015: nine independent samples, too few
-            // for the error that the run prints. Three of these.
+            // (tests/md/direct_simulation.hpp), over the thirty of this run by 0.0015: nine independent samples, too
+            // few for the error that the run prints. Three of these.
             CHECK(entry["measured"].get<double>() == Approx(-0.01424).margin(3.0 * 0.0015));
             continue;
         }

@@ -55,7 +55,7 @@ TEST_CASE("the mean of a map of particles, weighted by their number, is their ce
             state.velocity.push_back({});
         }
         compare::MdSampler sampler(scene);
-        sampler.sample(state, 0, phase);
+        sampler.sample(state, {0, phase});
         const auto& grid = sampler.maps().grid();
         REQUIRE(grid.nx == 6);
         REQUIRE(grid.ny == 5);
@@ -84,8 +84,8 @@ TEST_CASE("the mean of a map of columns, weighted by their mass, is the continuu
     compare::ContinuumSampler sampler(scene, 0.5);
     std::size_t row = 0;
     for (const std::int64_t phase : {0, 7}) {
-        solver.advance_to_phase(0, phase);
-        sampler.sample(solver, 0, phase);
+        solver.advance_to_instant(0, phase);
+        sampler.sample(solver, {0, phase});
         const auto& grid = sampler.maps().grid();
         std::vector<double> mass(grid.size(), 0.0);
         double whole = 0.0;

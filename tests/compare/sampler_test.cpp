@@ -63,7 +63,7 @@ TEST_CASE("the MD sampler counts every particle below the lid once, and all of t
     double sum = 0.0;
     for (std::int64_t cycle = 1; cycle < 5; ++cycle) {
         const md::Snapshot s = snapshot(scene, cycle, 7);
-        sampler.sample(s, cycle, 7);
+        sampler.sample(s, {cycle, 7});
         for (const auto& x : s.position) sum += x[2];
     }
     const double area = scene.box.x * scene.box.y;
@@ -82,7 +82,7 @@ TEST_CASE("particles are binned by their height above the plate, wherever it is"
                         .time_in_cycle = 0.0,
                         .position = {{1.0, 1.0, plate + 3.3}, {2.0, 2.0, plate + 3.4}},
                         .velocity = {{0.0, 0.0, 2.0}, {0.0, 0.0, 4.0}}},
-                       1, phase);
+                       {1, phase});
         const fields::Profile profile = sampler.moments().profile(phase, scene.motion);
         CHECK(profile.density[6] == Approx(2.0 / (25.0 * 0.5)));  // [3.0, 3.5) over 5 x 5
         CHECK(profile.velocity[6] == Approx(3.0));
@@ -93,8 +93,8 @@ TEST_CASE("particles are binned by their height above the plate, wherever it is"
 TEST_CASE("cycles of settling and after averaging leave no trace in the sums") {
     const scene::Scene scene = small_scene();
     compare::MdSampler sampler(scene);
-    sampler.sample(snapshot(scene, 0, 3), 0, 3);
-    sampler.sample(snapshot(scene, 5, 3), 5, 3);
+    sampler.sample(snapshot(scene, 0, 3), {0, 3});
+    sampler.sample(snapshot(scene, 5, 3), {5, 3});
     CHECK(std::isnan(mass(sampler.moments().profile(3, scene.motion), 1.0)));
     CHECK(std::isnan(sampler.moments().mean_centre_of_mass(3).first));
 }
@@ -102,15 +102,15 @@ TEST_CASE("cycles of settling and after averaging leave no trace in the sums") {
 TEST_CASE("an MD sampler restored from a checkpoint goes on with the same bits") {
     const scene::Scene scene = small_scene();
     compare::MdSampler whole(scene), first(scene), second(scene);
-    whole.sample(snapshot(scene, 1, 2), 1, 2);
-    first.sample(snapshot(scene, 1, 2), 1, 2);
+    whole.sample(snapshot(scene, 1, 2), {1, 2});
+    first.sample(snapshot(scene, 1, 2), {1, 2});
     files::CheckpointWriter out;
     first.save(out);
     const support::TemporaryFolder folder;
     out.commit(folder / "sampler.checkpoint");
     second.restore(files::CheckpointReader(folder / "sampler.checkpoint"));
-    whole.sample(snapshot(scene, 2, 2), 2, 2);
-    second.sample(snapshot(scene, 2, 2), 2, 2);
+    whole.sample(snapshot(scene, 2, 2), {2, 2});
+    second.sample(snapshot(scene, 2, 2), {2, 2});
     files::CheckpointWriter a, b;
     whole.save(a);
     second.save(b);
@@ -122,9 +122,9 @@ TEST_CASE("the continuum sampler keeps the solver's mass, and its centre of mass
     continuum::Solver solver(scene);
     compare::ContinuumSampler plain(scene), lifted(scene, 0.5);
     for (std::int64_t phase = 0; phase < 20; phase += 5) {
-        solver.advance_to_phase(1, phase);
-        plain.sample(solver, 1, phase);
-        lifted.sample(solver, 1, phase);
+        solver.advance_to_instant(1, phase);
+        plain.sample(solver, {1, phase});
+        lifted.sample(solver, {1, phase});
         const fields::Profile profile = plain.moments().profile(phase, scene.motion);
         INFO("phase " << phase);
         CHECK(mass(profile, 1.0) == Approx(solver.mass()).epsilon(1e-12));  // round-off
@@ -145,9 +145,9 @@ TEST_CASE("bins that do not fit the cells see a linear profile as it is") {
     scene::Scene scene = small_scene();
     scene.continuum.spacing = 0.4;
     continuum::Solver solver(scene);
-    solver.advance_to_phase(1, 14);
+    solver.advance_to_instant(1, 14);
     compare::ContinuumSampler sampler(scene);
-    sampler.sample(solver, 1, 14);
+    sampler.sample(solver, {1, 14});
     const fields::Profile profile = sampler.moments().profile(14, scene.motion);
     const auto column = solver.column(0, 0);
     CHECK(mass(profile, 1.0) == Approx(solver.mass()).epsilon(1e-12));  // round-off
@@ -176,8 +176,8 @@ TEST_CASE("a continuum sampled into bins as wide as its cells shows its own fiel
     const scene::Scene scene = small_scene();  // bins and cells of 0.5
     continuum::Solver solver(scene);
     compare::ContinuumSampler sampler(scene);
-    solver.advance_to_phase(1, 4);
-    sampler.sample(solver, 1, 4);
+    solver.advance_to_instant(1, 4);
+    sampler.sample(solver, {1, 4});
     const fields::Profile profile = sampler.moments().profile(4, scene.motion);
     const auto column = solver.column(0, 0);
     for (std::size_t k = 0; k < column.density.size(); k += 7) {

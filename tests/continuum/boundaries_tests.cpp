@@ -53,7 +53,7 @@ TEST_CASE("a plate that takes heat cools the layer, and the books say by how muc
     const auto after_a_cycle = [](const std::vector<std::string>& changes) {
         const scene::Scene scene = continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch4_shock.toml", changes);
         Solver solver(scene);
-        solver.advance_to_phase(1, 0);
+        solver.advance_to_instant(1, 0);
         return solver.ledger();
     };
     const Ledger closed = after_a_cycle({"continuum.spacing=0.4"});

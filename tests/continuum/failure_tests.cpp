@@ -83,7 +83,7 @@ TEST_CASE("ftcs ends where its differences make energy or mass, instead of a wro
     CHECK_THROWS_WITH(ends(0.85), Contains("time") && Contains("height"));
 
     Solver solver(coarse_layer());
-    CHECK_THROWS_WITH(solver.advance_to_phase(4, 0),
+    CHECK_THROWS_WITH(solver.advance_to_instant(4, 0),
                       Contains("the method has made") && Contains("height") && Contains("in cycle"));
 }
 
@@ -94,7 +94,7 @@ TEST_CASE("a frozen gas is named under every scheme, with its place") {
     scene.particles.restitution = scene::RestitutionConstant{0.6};
     scene.continuum.floor_temperature = 0.5;
     Solver solver(scene);
-    CHECK_THROWS_WITH(solver.advance_to_phase(5, 0),
+    CHECK_THROWS_WITH(solver.advance_to_instant(5, 0),
                       Contains("temperature floor 0.5") && Contains("height") && Contains("in cycle"));
 }
 
@@ -102,7 +102,7 @@ TEST_CASE("what a failed run leaves stands at the time of its failure") {
     const support::TemporaryFolder folder;
     const auto failure_of = [](Solver& solver) {
         try {
-            solver.advance_to_phase(4, 0);
+            solver.advance_to_instant(4, 0);
         } catch (const RunFailed& failure) {
             return std::pair(std::string(failure.what()), failure.time);
         }

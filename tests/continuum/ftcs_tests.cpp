@@ -171,7 +171,7 @@ TEST_CASE("ftcs carries the layer of chapter 4 through two cycles and its landin
         Solver solver(scene);
         std::vector<double> z;
         for (std::int64_t k = 1; k <= 20; ++k) {
-            solver.advance_to_phase(k / 10, k % 10);
+            solver.advance_to_instant(k / 10, k % 10);
             const ColumnView column = solver.column(0, 0);
             double mass = 0.0, moment = 0.0;
             for (std::size_t i = 0; i < column.density.size(); ++i) {

@@ -5,10 +5,10 @@
 #include <numbers>
 
 #include "continuum/closures/closures.hpp"
+#include "continuum/evolution.hpp"
 #include "continuum/initial_state.hpp"
-#include "continuum/parameters.hpp"
 #include "continuum/solver.hpp"
-#include "continuum/step/evolution.hpp"
+#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 
 using namespace shaken;
@@ -89,7 +89,7 @@ TEST_CASE("a layer uniform in x and y moves the same in one, two and three dimen
     CHECK(two.cells_x() * two.cells_y() == 8);
     CHECK(three.cells_x() == 6);
     CHECK(three.cells_y() == 8);
-    for (Solver* solver : {&one, &two, &three}) solver->advance_to_phase(0, 12);
+    for (Solver* solver : {&one, &two, &three}) solver->advance_to_instant(0, 12);
     CHECK(two.steps() == one.steps());
     CHECK(three.steps() == one.steps());
     const ColumnView a = one.column(0, 0);
@@ -236,8 +236,8 @@ TEST_CASE("sound across wide columns keeps its speed and is damped by the gas, n
 TEST_CASE("thin gas above a high crest takes no heat from nowhere") {
     // The crest falls at ft = 1.6; its thin gas, in strong shear, then made a third of the energy lost until there.
     Solver solver(continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch5_growth.toml",
-                                        {"initial.wave=0.3", "continuum.spacing_horizontal=2"}));
-    solver.advance_to_phase(1, 14);
+                                    {"initial.wave=0.3", "continuum.spacing_horizontal=2"}));
+    solver.advance_to_instant(1, 14);
     const Ledger books = solver.ledger();
     // Not round-off: a cell that would lose more than half its heat in a step is given some, here nowhere.
     CHECK(std::abs(books.dual_energy_gain) < 1e-3 * books.collisional_loss);

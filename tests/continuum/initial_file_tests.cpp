@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "continuum/initial_file.hpp"
+#include "continuum/parameters.hpp"
 #include "fields/phase_moments.hpp"
 #include "files/hdf5.hpp"
 #include "files/provenance.hpp"
@@ -68,7 +69,7 @@ TEST_CASE("a start from the profile of a layer of period two has one flow, that 
     const std::filesystem::path path = folder.path() / "md.h5";
     {
         files::Hdf5File file(path, files::Open::create);
-        files::write_provenance(file, {scene::print_scene(scene::read_scene(support::small_scene)), 1, ""});
+        files::write_provenance(file, {scene::print_scene(continuum::read_scene(support::small_scene)), 1, ""});
         moments.write(file, "/profiles");
         file.close();
     }

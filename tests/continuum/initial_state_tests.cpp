@@ -131,7 +131,7 @@ TEST_CASE("a run that starts from profiles or frames has their velocity in the l
     scene.initial.phase = static_cast<double>(instant) / 20.0;
     const Solver solver(scene);
     CHECK(solver.cycle() == 0);
-    CHECK(solver.phase() == instant);
+    CHECK(solver.phase_index() == instant);
     REQUIRE(plate_velocity(scene) > 1.0);
     for (const std::int64_t ix : {0, 4}) {
         const ColumnView column = solver.column(ix, 5);

@@ -65,7 +65,7 @@ TEST_CASE("a layer starts with its particles on the plate") {
 TEST_CASE("a shaken layer keeps its mass and its energy ledger over 10^5 steps", "[conservation]") {
     Solver solver(small_layer());
     const double mass = solver.mass();
-    for (std::int64_t cycle = 1; solver.steps() < 100000; ++cycle) solver.advance_to_phase(cycle, 0);
+    for (std::int64_t cycle = 1; solver.steps() < 100000; ++cycle) solver.advance_to_instant(cycle, 0);
     // Round-off: each cell rounds at random a few times a step, sqrt(1e5 * 60) * eps of the mean, not eps * 1e5.
     CHECK(solver.mass() == Approx(mass).epsilon(6e-13));
     const Ledger l = solver.ledger();
@@ -82,9 +82,9 @@ TEST_CASE("a shaken layer keeps its mass and its energy ledger over 10^5 steps",
 
 TEST_CASE("the plate carries the layer: its mean push is the weight") {
     Solver solver(small_layer());
-    solver.advance_to_phase(12, 0);
+    solver.advance_to_instant(12, 0);
     const Ledger before = solver.ledger();
-    solver.advance_to_phase(20, 0);
+    solver.advance_to_instant(20, 0);
     const Ledger after = solver.ledger();
     const double time = 8.0 / 0.18;
     const double push = (after.plate_impulse - before.plate_impulse - (after.lid_impulse - before.lid_impulse)) / time;
@@ -97,15 +97,15 @@ TEST_CASE("a restored solver goes on bit for bit") {
     const support::TemporaryFolder folder;
     const scene::Scene scene = small_layer();
     Solver straight(scene);
-    straight.advance_to_phase(1, 7);
+    straight.advance_to_instant(1, 7);
     files::CheckpointWriter writer;
     straight.save(writer);
     writer.commit(folder / "state");
     Solver resumed(scene);
     resumed.restore(files::CheckpointReader(folder / "state"));
     CHECK(resumed.state_hash() == straight.state_hash());
-    straight.advance_to_phase(2, 3);
-    resumed.advance_to_phase(2, 3);
+    straight.advance_to_instant(2, 3);
+    resumed.advance_to_instant(2, 3);
     CHECK(resumed.state_hash() == straight.state_hash());
     CHECK(resumed.steps() == straight.steps());
     CHECK(resumed.cycle() == 2);
@@ -122,7 +122,7 @@ TEST_CASE("a run that fails says where and when") {
     frozen.particles.restitution = scene::RestitutionConstant{0.6};
     frozen.continuum.floor_temperature = 0.5;
     Solver cold(frozen);
-    CHECK_THROWS_WITH(cold.advance_to_phase(5, 0), Contains("temperature floor") && Contains("cycle 0"));
+    CHECK_THROWS_WITH(cold.advance_to_instant(5, 0), Contains("temperature floor") && Contains("cycle 0"));
 
     Setup setup = make_setup(small_layer());
     setup.flow.temperature[static_cast<std::size_t>(setup.grid.first(0)) + 5] = std::nan("");
@@ -132,14 +132,14 @@ TEST_CASE("a run that fails says where and when") {
 
 TEST_CASE("how often one looks does not change the flow") {
     Solver once(small_layer()), often(small_layer());
-    once.advance_to_phase(1, 0);
+    once.advance_to_instant(1, 0);
     for (std::int64_t phase = 1; phase < 20; ++phase) {
-        often.advance_to_phase(0, phase);
+        often.advance_to_instant(0, phase);
         (void)often.state_hash();
     }
-    often.advance_to_phase(1, 0);
+    often.advance_to_instant(1, 0);
     CHECK(once.state_hash() == often.state_hash());
-    CHECK_THROWS_AS(once.advance_to_phase(0, 5), std::logic_error);
+    CHECK_THROWS_AS(once.advance_to_instant(0, 5), std::logic_error);
 }
 
 TEST_CASE("a layer that cannot start is refused in words") {
@@ -168,7 +168,7 @@ TEST_CASE("the layer of chapter 4 becomes periodic and its centre of mass conver
             last = now;
             now.clear();
             for (std::int64_t k = 0; k < 20; ++k) {
-                solver.advance_to_phase(cycle, 10 * k);
+                solver.advance_to_instant(cycle, 10 * k);
                 now.push_back(centre_of_mass(solver, scene.motion));
             }
         }

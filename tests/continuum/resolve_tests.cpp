@@ -91,7 +91,7 @@ TEST_CASE("the floor of ftcs is what the scene says, and by default its own") {
     // And it is what holds the gas above the layer, before and after the first steps. Round-off.
     const double floor = GENERATE(1e-3, 0.02);
     continuum::Solver solver(with(ftcs_and("continuum.floor_density=" + std::to_string(floor))));
-    solver.advance_to_phase(0, 2);
+    solver.advance_to_instant(0, 2);
     double least = 1.0;
     for (const double n : solver.column(0, 0).density) least = std::min(least, n);
     // Relative to the mean of the run, which holds the floor itself: at most that share more.

@@ -58,17 +58,17 @@ Seen shaken_under(double lid, const char* upper) {
          "continuum.lid=" + scene::written_number(lid), "continuum.upper=" + std::string(upper)});
     Solver solver(scene);
     Seen seen;
-    solver.advance_to_phase(5, 0);
+    solver.advance_to_instant(5, 0);
     const double before = solver.ledger().lid_impulse;
     for (std::int64_t phase = 0; phase < 20; phase += 2) {
-        solver.advance_to_phase(5, phase);
+        solver.advance_to_instant(5, phase);
         const ColumnView column = solver.column(0, 0);
         double moment = 0.0;
         for (std::size_t i = 0; i < column.density.size(); ++i)
             moment += column.density[i] * (static_cast<double>(i) + 0.5) * solver.spacing_z();
         seen.heights.push_back(moment * solver.spacing_z() / solver.mass());
     }
-    solver.advance_to_phase(6, 0);
+    solver.advance_to_instant(6, 0);
     seen.force = (solver.ledger().lid_impulse - before) / (scene.motion.period() * solver.mass());
     return seen;
 }

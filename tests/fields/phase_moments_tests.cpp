@@ -279,3 +279,39 @@ TEST_CASE("the first cycle of a run that began in its middle has every phase onc
         CHECK(first.profile(phase, motion).velocity[2] == expected[static_cast<std::size_t>(phase)]);
     CHECK_THROWS_AS(PhaseMoments(Deposits::particles, 4, bins, 25.0, 20, 10).first_cycle(), std::invalid_argument);
 }
+
+TEST_CASE("what a stopped run has reached is its whole blocks, or its whole cycles before the first block ends") {
+    const auto after = [](std::int64_t samples) {
+        PhaseMoments moments(Deposits::particles, 4, {0.0, 0.5, 20}, 25.0, 12, 4);
+        for (std::int64_t sample = 0; sample < samples; ++sample) {
+            moments.begin_sample(sample / 4, sample % 4);
+            moments.add_particle(0.25, {0.0, 0.0, static_cast<double>(sample / 4)});
+            moments.set_centre_of_mass(static_cast<double>(sample));
+        }
+        return moments;
+    };
+    CHECK_FALSE(after(3).reached());
+    const PhaseMoments early = *after(9).reached();  // two cycles and a piece of the first block of three
+    CHECK(early.cycles() == 2);
+    CHECK(early.blocks() == 1);
+    CHECK(early.centre_of_mass().back() == 7.0);
+    const PhaseMoments later = *after(4 * 8 + 1).reached();
+    CHECK(later.cycles() == 6);
+    CHECK(later.blocks() == 2);
+    CHECK(later.profile(1, motion).velocity[0] == Approx(2.5).epsilon(roundoff));  // of cycles 0 to 5
+    CHECK(later.profile(1, motion, {}, Flow::second).velocity[0] == Approx(3.0).epsilon(roundoff));
+    CHECK(after(48).reached()->cycles() == 12);
+}
+
+TEST_CASE("heights that are passed on are known at their instant, and neither kept nor written") {
+    const support::TemporaryFolder folder;
+    PhaseMoments moments(Deposits::particles, 4, {0.0, 0.5, 20}, 25.0, 12, 4, Heights::passed_on);
+    moments.begin_sample(3, 1);
+    moments.set_centre_of_mass(7.5);
+    CHECK(moments.latest_centre_of_mass() == 7.5);
+    CHECK(moments.centre_of_mass().empty());
+    files::Hdf5File file(folder / "a.h5", files::Open::create);
+    moments.write(file, "/profiles");
+    CHECK(file.has("/profiles/sums"));
+    CHECK_FALSE(file.has("/profiles/centre_of_mass"));
+}

@@ -49,7 +49,7 @@ TEST_CASE("a plan's promise holds with two seeds") {
 }
 
 TEST_CASE("the MD of grains that may collapse keeps the scene's cell, whatever one trial does") {
-    const scene::Scene scene = scene::read_scene(
+    const scene::Scene scene = compare::read_scene(
         support::small_scene,
         {"box.x=12", "box.y=12", "particles.number=288", "particles.restitution=0.79", "initial.volume_fraction=0.1"});
     plan::ContinuumPlan flat = settled_after(2);

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: MIT
-#include "app/uniform_blocks.hpp"
+#include "run/gas_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 
-namespace shaken::app {
+namespace shaken::run {
 
 namespace {
 
@@ -25,8 +25,8 @@ Elapsed elapsed_between(double temperature, double later, double time) {
 
 }  // namespace
 
-UniformBlocks uniform_blocks(const fields::TimeSeries& series, std::size_t first, double particles) {
-    UniformBlocks blocks;
+GasBlocks gas_blocks(const fields::TimeSeries& series, std::size_t first, double particles) {
+    GasBlocks blocks;
     if (series.rows() < first + 2) return blocks;
     const std::size_t last = series.rows() - 1;
     const auto at = [&](std::size_t row, const char* column) { return series.value(row, column); };
@@ -58,4 +58,4 @@ UniformBlocks uniform_blocks(const fields::TimeSeries& series, std::size_t first
     return blocks;
 }
 
-}  // namespace shaken::app
+}  // namespace shaken::run

@@ -1,22 +1,22 @@
 // SPDX-License-Identifier: MIT
-#include "app/continuum_notes.hpp"
+#include "run/notes.hpp"
 
 #include <fmt/format.h>
 
 #include <cmath>
 #include <sstream>
 
+#include "compare/patterns/expected.hpp"
 #include "continuum/initial_state.hpp"
-#include "plan/rules.hpp"
 
-namespace shaken::app {
+namespace shaken::run {
 
 namespace {
 
-bool waves_fit(const scene::Scene& scene) { return plan::holds_pattern(scene) || plan::may_hold_pattern(scene); }
+bool waves_fit(const scene::Scene& scene) { return compare::holds_pattern(scene) || compare::may_hold_pattern(scene); }
 
 std::string waves_that_fit(const scene::Scene& scene) {
-    return fmt::format("Waves some {:.3g} sigma long fit in the box of {:g} x {:g}", plan::pattern_wavelength(scene),
+    return fmt::format("Waves some {:.3g} sigma long fit in the box of {:g} x {:g}", compare::pattern_wavelength(scene),
                        scene.box.x, scene.box.y);
 }
 
@@ -60,4 +60,4 @@ Notes parted(const std::string& lines) {
     return notes;
 }
 
-}  // namespace shaken::app
+}  // namespace shaken::run

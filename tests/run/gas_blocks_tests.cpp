@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Made-up runs of which every rate is known: tolerances are round-off, or the one interval by which a block may be
 // longer.
-#include "app/uniform_blocks.hpp"
+#include "run/gas_blocks.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -41,7 +41,7 @@ TEST_CASE("blocks of a gas that cools by Haff's law hold its pressure, collision
     const double cooling = GENERATE(0.0, 0.1, 2.0);
     const int rows = GENERATE(2, 60, 101, 1001);
     CAPTURE(cooling, rows);
-    const app::UniformBlocks blocks = app::uniform_blocks(gas(cooling, rows), 0, particles);
+    const run::GasBlocks blocks = run::gas_blocks(gas(cooling, rows), 0, particles);
     for (std::size_t b = 0; b < blocks.rate.size(); ++b) {
         CHECK(blocks.compressibility[b] == Approx(pressure).epsilon(1e-9));
         CHECK(blocks.rate[b] == Approx(collided).epsilon(1e-9));
@@ -52,17 +52,17 @@ TEST_CASE("blocks of a gas that cools by Haff's law hold its pressure, collision
 }
 
 TEST_CASE("blocks of a gas that does not cool are of equal time, the first rows left out") {
-    const app::UniformBlocks blocks = app::uniform_blocks(gas(0.0, 1021), 20, particles);
+    const run::GasBlocks blocks = run::gas_blocks(gas(0.0, 1021), 20, particles);
     REQUIRE(blocks.cumulant.size() == 100);
     for (std::size_t b = 0; b < 100; ++b)
         CHECK(blocks.cumulant[b] == Approx(20.0 + 10.0 * static_cast<double>(b) + 5.5));
-    CHECK(app::uniform_blocks(gas(0.0, 41), 0, particles).cumulant.size() == 40);
-    CHECK(app::uniform_blocks(gas(0.0, 21), 20, particles).cumulant.empty());
+    CHECK(run::gas_blocks(gas(0.0, 41), 0, particles).cumulant.size() == 40);
+    CHECK(run::gas_blocks(gas(0.0, 21), 20, particles).cumulant.empty());
 }
 
 TEST_CASE("late blocks of a gas that cools are longer: a particle is due for as many collisions") {
     // sqrt(T) falls to 1/51: a block has ln(51)/100 of the integral, or an interval where that is more.
-    const app::UniformBlocks blocks = app::uniform_blocks(gas(0.1, 1001), 0, particles);
+    const run::GasBlocks blocks = run::gas_blocks(gas(0.1, 1001), 0, particles);
     std::vector<double> rows;  // the last one of each block: mean a2 is its middle
     double before = 0.0;
     for (const double middle : blocks.cumulant) {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/run_folder.hpp"
+#include "run/folder.hpp"
 
 #include <fcntl.h>
 #include <fmt/format.h>
@@ -15,14 +15,15 @@
 
 #include "files/errors.hpp"
 
-namespace shaken::app {
+namespace shaken::run {
 
 namespace {
 
 /// What a run leaves in its folder, and so what --overwrite may remove.
-const std::set<std::string> own_files{"scene.toml",   "md.h5",          "md.checkpoint",        "md.status.json",
-                                      "continuum.h5", "continuum.xdmf", "continuum.checkpoint", "continuum.status.json",
-                                      "compare.h5",   "summary.json",   "report.html",          "figures"};
+const std::set<std::string> own_files{
+    "scene.toml",   "md.h5",          "md.checkpoint",        "md.stream",        "md.status.json",
+    "continuum.h5", "continuum.xdmf", "continuum.checkpoint", "continuum.stream", "continuum.status.json",
+    "compare.h5",   "summary.json",   "report.html",          "figures",          "verification.csv"};
 
 const std::string lock_prefix = ".lock.";
 
@@ -112,4 +113,4 @@ FolderLock::~FolderLock() {
     ::close(descriptor_);
 }
 
-}  // namespace shaken::app
+}  // namespace shaken::run

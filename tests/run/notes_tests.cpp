@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 // What a continuum run says of itself, from the scene to the terminal and the file.
-#include "app/continuum_notes.hpp"
+#include "run/notes.hpp"
 
-#include "compare/scenes.hpp"
 #include "files/hdf5.hpp"
+#include "compare/scenes.hpp"
+#include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 #include "tests/support/command.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-using shaken::app::Notes;
+using shaken::run::Notes;
 
 namespace {
 
@@ -16,7 +17,7 @@ const std::string stripes = SHAKEN_SOURCE_DIR "/data/scenes/ch5_stripes.toml";
 
 Notes notes_with(std::vector<std::string> changes) {
     changes.insert(changes.begin(), {"particles.number=2400", "box.x=40", "box.y=10"});
-    return shaken::app::notes_of_scene(shaken::compare::read_scene(stripes, changes));
+    return shaken::run::notes_of_scene(shaken::compare::read_scene(stripes, changes));
 }
 
 }  // namespace
@@ -51,7 +52,7 @@ TEST_CASE("what a continuum run says of its scene stands on the terminal and in 
             more + " --out " + (folder / to).string());
         REQUIRE(result.code == 0);
         const shaken::files::Hdf5File file(folder / to / "continuum.h5", shaken::files::Open::read);
-        return std::pair(result.text, shaken::app::parted(file.read_text("/run/notes")));
+        return std::pair(result.text, shaken::run::parted(file.read_text("/run/notes")));
     };
     const auto [terminal, in_file] = run(" --set '" + friction + "'", "friction");
     CHECK_THAT(terminal, Contains("note: " + notes[0]));
@@ -78,6 +79,7 @@ TEST_CASE("a run whose gas reaches the upper end says so, one whose gas does not
         return notes;
     };
     // 2e-3 and 1e-5 of the layer's weight.
-    CHECK_THAT(said("80"), Contains("The upper end at continuum.lid = 80 bears 0.002") && Contains("raise continuum.lid"));
+    CHECK_THAT(said("80"),
+               Contains("The upper end at continuum.lid = 80 bears 0.002") && Contains("raise continuum.lid"));
     CHECK_THAT(said("120"), !Contains("upper end"));
 }

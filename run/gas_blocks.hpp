@@ -8,10 +8,10 @@
 
 #include "fields/time_series.hpp"
 
-namespace shaken::app {
+namespace shaken::run {
 
 /// One entry a block, in the order of time.
-struct UniformBlocks {
+struct GasBlocks {
     std::vector<double> compressibility;  // Z = p/(nT), over the block
     std::vector<double> rate;             // collisions of a particle over the integral of sqrt(T)
     std::vector<double> cumulant;         // a2, mean over the block's samples
@@ -20,6 +20,6 @@ struct UniformBlocks {
 
 /// From row `first` of a run's observables on, of `particles`; at most a hundred blocks, each of at least one interval.
 /// Empty where there is no interval.
-UniformBlocks uniform_blocks(const fields::TimeSeries& series, std::size_t first, double particles);
+GasBlocks gas_blocks(const fields::TimeSeries& series, std::size_t first, double particles);
 
-}  // namespace shaken::app
+}  // namespace shaken::run

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <string>
 
-namespace shaken::app {
+namespace shaken::run {
 
 /// Paths of one engine's files ("md" or "continuum") in a run folder.
 struct EngineFiles {
@@ -13,6 +13,7 @@ struct EngineFiles {
     std::string engine;
     std::filesystem::path output() const { return folder / (engine + ".h5"); }
     std::filesystem::path checkpoint() const { return folder / (engine + ".checkpoint"); }
+    std::filesystem::path stream() const { return folder / (engine + ".stream"); }
     std::filesystem::path status() const { return folder / (engine + ".status.json"); }
 };
 
@@ -34,4 +35,4 @@ class FolderLock {
     int descriptor_ = -1;
 };
 
-}  // namespace shaken::app
+}  // namespace shaken::run

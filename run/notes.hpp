@@ -8,7 +8,7 @@
 
 #include "scene/scene.hpp"
 
-namespace shaken::app {
+namespace shaken::run {
 
 /// One sentence each.
 using Notes = std::vector<std::string>;
@@ -23,4 +23,4 @@ Notes notes_of_upper_end(const scene::Scene& scene, double force_over_weight);
 std::string joined(const Notes& notes);
 Notes parted(const std::string& lines);
 
-}  // namespace shaken::app
+}  // namespace shaken::run

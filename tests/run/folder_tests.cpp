@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "app/run_folder.hpp"
+#include "run/folder.hpp"
 
 #include <fstream>
 
@@ -9,7 +9,7 @@
 
 using namespace shaken;
 
-using namespace app;
+using namespace run;
 
 TEST_CASE("a folder that holds anything is refused, and --overwrite removes only what a run left") {
     const support::TemporaryFolder folder;
