@@ -5,9 +5,10 @@
 #include <numbers>
 
 #include "continuum/closures/closures.hpp"
-#include "continuum/evolution.hpp"
 #include "continuum/initial_state.hpp"
+#include "continuum/parameters.hpp"
 #include "continuum/solver.hpp"
+#include "continuum/step/evolution.hpp"
 #include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
 
@@ -236,7 +237,7 @@ TEST_CASE("sound across wide columns keeps its speed and is damped by the gas, n
 TEST_CASE("thin gas above a high crest takes no heat from nowhere") {
     // The crest falls at ft = 1.6; its thin gas, in strong shear, then made a third of the energy lost until there.
     Solver solver(continuum::read_scene(SHAKEN_SOURCE_DIR "/data/scenes/ch5_growth.toml",
-                                    {"initial.wave=0.3", "continuum.spacing_horizontal=2"}));
+                                        {"initial.wave=0.3", "continuum.spacing_horizontal=2"}));
     solver.advance_to_instant(1, 14);
     const Ledger books = solver.ledger();
     // Not round-off: a cell that would lose more than half its heat in a step is given some, here nowhere.

@@ -109,7 +109,7 @@ TEST_CASE("a restored solver goes on bit for bit") {
     CHECK(resumed.state_hash() == straight.state_hash());
     CHECK(resumed.steps() == straight.steps());
     CHECK(resumed.cycle() == 2);
-    CHECK(resumed.phase() == 3);
+    CHECK(resumed.phase_index() == 3);
 
     scene::Scene other = scene;
     other.continuum.spacing = 0.5;
