@@ -35,6 +35,17 @@ bool write_all(int descriptor, std::string_view content) {
 
 }  // namespace
 
+void take_its_place(const std::filesystem::path& temporary, const std::filesystem::path& path) {
+    if (::rename(temporary.c_str(), path.c_str()) != 0) {
+        const std::string reason = std::strerror(errno);
+        ::unlink(temporary.c_str());
+        throw WriteFailed(fmt::format("{}: cannot be replaced: {}", path.string(), reason));
+    }
+    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const Descriptor directory{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
+    if (directory.number >= 0) ::fsync(directory.number);
+}
+
 void write_atomically(const std::filesystem::path& path, std::string_view content) {
     const std::string temporary = fmt::format("{}.{}.tmp", path.string(), ::getpid());
     {
@@ -48,14 +59,7 @@ void write_atomically(const std::filesystem::path& path, std::string_view conten
             throw WriteFailed(fmt::format("{}: cannot be written: {}", path.string(), reason));
         }
     }
-    if (::rename(temporary.c_str(), path.c_str()) != 0) {
-        const std::string reason = std::strerror(errno);
-        ::unlink(temporary.c_str());
-        throw WriteFailed(fmt::format("{}: cannot be replaced: {}", path.string(), reason));
-    }
-    const std::filesystem::path folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
-    const Descriptor directory{::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC)};
-    if (directory.number >= 0) ::fsync(directory.number);
+    take_its_place(temporary, path);
 }
 
 }  // namespace shaken::files

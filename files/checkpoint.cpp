@@ -8,20 +8,18 @@
 
 #include <cstring>
 #include <fstream>
+#include <memory>
 
-#include "files/atomic_write.hpp"
+#include "files/checkpoint_file.hpp"
+#include "files/checkpoint_layout.hpp"
 #include "files/errors.hpp"
 
 namespace shaken::files {
 
 namespace {
 
-constexpr std::string_view magic = "SHKNCKP1";
-constexpr std::size_t header_size = 8 + 8 + sizeof(XXH128_canonical_t);
-
-void append_number(std::string& out, std::uint64_t value) {
-    out.append(reinterpret_cast<const char*>(&value), sizeof value);
-}
+using checkpoint_layout::header_size;
+using checkpoint_layout::magic;
 
 XXH128_canonical_t checksum(const void* bytes, std::size_t size) {
     XXH128_canonical_t canonical;
@@ -65,32 +63,26 @@ void CheckpointWriter::put_text(std::string_view name, std::string_view text) {
     put(name, std::span<const char>(text.data(), text.size()));
 }
 
-std::string CheckpointWriter::serialized() const {
-    std::string body;
-    append_number(body, sections_.size());
-    for (const auto& [name, section] : sections_) {
-        append_number(body, name.size());
-        body += name;
-        append_number(body, section.item_size);
-        append_number(body, section.bytes.size());
-        body.append(reinterpret_cast<const char*>(section.bytes.data()), section.bytes.size());
-    }
-    return body;
-}
-
 void CheckpointWriter::commit(const std::filesystem::path& path) const {
-    const std::string body = serialized();
-    const XXH128_canonical_t sum = checksum(body.data(), body.size());
-    std::string content(magic);
-    append_number(content, body.size());
-    content.append(reinterpret_cast<const char*>(&sum), sizeof sum);
-    content += body;
-    write_atomically(path, content);
+    CheckpointFile file(path);
+    for (const auto& [name, section] : sections_) file.put_bytes(name, section.bytes, section.item_size);
+    file.commit();
 }
 
 std::uint64_t CheckpointWriter::hash() const {
-    const std::string body = serialized();
-    return XXH3_64bits(body.data(), body.size());
+    const std::unique_ptr<XXH3_state_t, XXH_errorcode (*)(XXH3_state_t*)> state(XXH3_createState(), XXH3_freeState);
+    XXH3_64bits_reset(state.get());
+    const auto add = [&](const void* bytes, std::size_t size) { XXH3_64bits_update(state.get(), bytes, size); };
+    const auto add_number = [&](std::uint64_t value) { add(&value, sizeof value); };
+    add_number(sections_.size());
+    for (const auto& [name, section] : sections_) {
+        add_number(name.size());
+        add(name.data(), name.size());
+        add_number(section.item_size);
+        add_number(section.bytes.size());
+        add(section.bytes.data(), section.bytes.size());
+    }
+    return XXH3_64bits_digest(state.get());
 }
 
 CheckpointReader::CheckpointReader(const std::filesystem::path& path) : path_(path.string()) {

@@ -15,9 +15,11 @@
 
 namespace shaken::files {
 
-/// Collects the sections of a checkpoint in memory; commit() writes them in one atomic step.
+/// Collects the sections of a checkpoint in memory, for their hash, or to be committed later; what is large goes to a
+/// CheckpointFile (files/checkpoint_file.hpp), which holds none.
 class CheckpointWriter {
   public:
+    virtual ~CheckpointWriter() = default;
     /// Stores trivially copyable values under a name that must be new; throws std::logic_error if it is not.
     template <class T>
     void put(std::string_view name, std::span<const T> values) {
@@ -45,8 +47,7 @@ class CheckpointWriter {
         std::uint64_t item_size = 0;
         std::vector<std::byte> bytes;
     };
-    void put_bytes(std::string_view name, std::span<const std::byte> bytes, std::size_t item_size);
-    std::string serialized() const;
+    virtual void put_bytes(std::string_view name, std::span<const std::byte> bytes, std::size_t item_size);
     std::map<std::string, Section, std::less<>> sections_;
 };
 

@@ -13,7 +13,7 @@
 
 #include "continuum/errors.hpp"
 #include "continuum/solver.hpp"
-#include "files/checkpoint.hpp"
+#include "files/checkpoint_file.hpp"
 #include "files/hdf5.hpp"
 #include "md/errors.hpp"
 #include "run/continuum_layer.hpp"
@@ -76,10 +76,10 @@ double seconds_to_leave(const Engine& engine, const Record& record) {
     const std::filesystem::path aside =
         std::filesystem::temp_directory_path() / ("shaken_plan_" + std::to_string(::getpid()));
     for (int written = 0; written < 2; ++written) {
-        files::CheckpointWriter checkpoint;
+        files::CheckpointFile checkpoint(aside);
         engine.save(checkpoint);
         record.save(checkpoint);
-        checkpoint.commit(aside);
+        checkpoint.commit();
     }
     {
         files::Hdf5File averages(aside.string() + ".h5", files::Open::create);

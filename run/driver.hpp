@@ -13,7 +13,7 @@
 #include <optional>
 #include <string>
 
-#include "files/checkpoint.hpp"
+#include "files/checkpoint_file.hpp"
 #include "files/record_log.hpp"
 #include "run/engine_run.hpp"
 #include "run/folder.hpp"
@@ -117,20 +117,20 @@ class Driver {
     /// The stream first: a checkpoint vouches for what is safe on the disk. Length of the stream.
     std::uint64_t checkpoint() {
         const std::uint64_t length = stream_.sync();
-        files::CheckpointWriter out;
+        files::CheckpointFile out(files_.checkpoint());
         put_head(out);
         run_.save_record(out);
         out.put("stream_length", length);
-        out.commit(files_.checkpoint());
+        out.commit();
         last_checkpoint_ = Clock::now();
         return length;
     }
 
     /// The end of one run may be the start of another; what was measured is in its output.
     void finish_checkpoint() const {
-        files::CheckpointWriter out;
+        files::CheckpointFile out(files_.checkpoint());
         put_head(out);
-        out.commit(files_.checkpoint());
+        out.commit();
     }
 
     void report(const std::string& state, bool last = false) {

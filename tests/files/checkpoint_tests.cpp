@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "files/checkpoint.hpp"
+#include "files/checkpoint_file.hpp"
 
 #include <fstream>
 #include <random>
@@ -92,5 +92,30 @@ TEST_CASE("a checkpoint that cannot be written leaves the earlier one in place")
     CHECK_THROWS_AS(CheckpointReader(folder / "absent"), NoInput);
     CHECK(CheckpointReader(folder / "a").has("cycle"));
     // No temporary file stays behind.
+    CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
+}
+
+TEST_CASE("a checkpoint written section by section reads as one that was collected, in whatever order it came") {
+    const support::TemporaryFolder folder;
+    CheckpointFile out(folder / "a");
+    out.put_text("scene", "[plate]\nacceleration = 3\n");
+    out.put("positions", std::vector<double>(300'000, 1.5));  // more than a piece of the checksum
+    CHECK_THROWS_AS(out.put("scene", 1.0), std::logic_error);
+    CHECK_FALSE(std::filesystem::exists(folder / "a"));
+    out.commit();
+    const CheckpointReader in(folder / "a");
+    CHECK(in.take<double>("positions") == std::vector<double>(300'000, 1.5));
+    CHECK(in.take_text("scene") == "[plate]\nacceleration = 3\n");
+}
+
+TEST_CASE("a checkpoint that is not committed leaves the one before it, and nothing of its own") {
+    const support::TemporaryFolder folder;
+    example().commit(folder / "a");
+    const std::string before = content_of(folder / "a");
+    {
+        CheckpointFile out(folder / "a");
+        out.put("cycle", std::int64_t{43});
+    }
+    CHECK(content_of(folder / "a") == before);
     CHECK(std::distance(std::filesystem::directory_iterator(folder.path()), {}) == 1);
 }
