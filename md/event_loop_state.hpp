@@ -25,13 +25,7 @@ Snapshot EventLoop<Law, Layered>::snapshot() const {
 template <class Law, bool Layered>
 Ledger EventLoop<Law, Layered>::ledger() const {
     Ledger total = sums_;
-    total.plate_work += epoch_sums_.plate_work;
-    total.ceiling_work += epoch_sums_.ceiling_work;
-    total.collision_loss += epoch_sums_.collision_loss;
-    total.plate_loss += epoch_sums_.plate_loss;
-    total.ceiling_loss += epoch_sums_.ceiling_loss;
-    total.plate_impulse += epoch_sums_.plate_impulse;
-    total.virial += epoch_sums_.virial;
+    total += epoch_sums_;
     for (const Vector3& spin : spins_) total.rotational += 0.125 * sphere_inertia * dot(spin, spin);
     for (Particle p : particles_) {
         p.move_to(now_);

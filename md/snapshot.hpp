@@ -27,6 +27,18 @@ struct Ledger {
     std::array<double, 3> momentum{};  // now
     double plate_impulse = 0.0;        // vertical momentum given by the plate since the start
     double virial = 0.0;               // sum over pair collisions of r_ij . dp_i, for the pressure
+
+    /// Adds what was exchanged in a further stretch of time; energies and momentum are of an instant, and stay.
+    Ledger& operator+=(const Ledger& more) {
+        plate_work += more.plate_work;
+        ceiling_work += more.ceiling_work;
+        collision_loss += more.collision_loss;
+        plate_loss += more.plate_loss;
+        ceiling_loss += more.ceiling_loss;
+        plate_impulse += more.plate_impulse;
+        virial += more.virial;
+        return *this;
+    }
 };
 
 struct Counters {
