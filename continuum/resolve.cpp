@@ -9,6 +9,8 @@
 #include <string>
 #include <vector>
 
+#include "continuum/closures/closures.hpp"
+#include "continuum/closures/effective_dissipation.hpp"
 #include "continuum/closures/equation_of_state.hpp"
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/initial_state.hpp"
@@ -64,7 +66,8 @@ void leave_out(Scene& s, const std::string& key, const std::string& where) {
 
 void resolve_ftcs(Scene& s) {
     scene::Continuum& c = s.continuum;
-    Ftcs::refuse_closure(c);
+    const bool of_grains = s.kind == scene::Kind::layer || s.kind == scene::Kind::uniform;
+    Ftcs::refuse_closure(c, of_grains ? pressure_restitution(s) : s.tube.restitution);
     // The source's finite differences keep the source's wall.
     if (!s.written.contains("continuum.upper")) c.upper.name = "lid";
     const auto written = s.written.find("continuum.floor_density");
@@ -115,7 +118,7 @@ void resolve_tube(Scene& s) {
     if (s.continuum.scheme.name != Ftcs::name)
         leave_out(s, "continuum.floor_density",
                   fmt::format("continuum.scheme = \"{}\" of this kind", s.continuum.scheme.name));
-    if (s.continuum.transport.name == "inviscid" && t.restitution == 1.0)
+    if (!closure_has_part(s.continuum, t.restitution))
         leave_out(s, "continuum.closure", "an inviscid gas that does not cool");
     if (s.kind == scene::Kind::riemann && t.lower.name != "piston")
         leave_out(s, "tube.speed", "a tube without a piston");

@@ -53,4 +53,9 @@ inline ClosureTraits traits_of(const scene::Choice& closure) {
     });
 }
 
+/// Whether any formula of the closure is asked: none in an inviscid gas of elastic particles.
+inline bool closure_has_part(const scene::Continuum& choices, double restitution) {
+    return choices.transport.name != "inviscid" || restitution < 1.0;
+}
+
 }  // namespace shaken::continuum

@@ -36,9 +36,9 @@ void cells_to_nodes(const double* cell, double* node, std::int64_t cells) {
 
 }  // namespace
 
-void Ftcs::refuse_closure(const scene::Continuum& choices) {
+void Ftcs::refuse_closure(const scene::Continuum& choices, double restitution) {
     const scene::Choice& closure = choices.closure;
-    if (!traits_of(closure).carries_between_contacts) return;
+    if (!closure_has_part(choices, restitution) || !traits_of(closure).carries_between_contacts) return;
     std::vector<std::string> can_run = Closures::names();
     std::erase_if(can_run, [](const auto& name) { return traits_of({name, {}}).carries_between_contacts; });
     const bool written = !closure.place.source.empty();
@@ -51,7 +51,7 @@ void Ftcs::refuse_closure(const scene::Continuum& choices) {
 }
 
 Ftcs::Ftcs(Setup setup) : setup_(std::move(setup)), dissipation_(setup_.sink) {
-    refuse_closure(setup_.choices);
+    refuse_closure(setup_.choices, setup_.restitution);
     kernels_ = choose_kernels(setup_.choices);
     if (setup_.boundaries.upper.end == End::stress_free)
         throw scene::SceneError(setup_.choices.upper.place,

@@ -30,8 +30,9 @@ class Ftcs : public Method {
     /// (docs/numerics.md).
     static constexpr double least_floor_density = 1e-3;
 
-    /// Throws scene::SceneError, at the closure's place or else the scheme's, for a closure with terms in 1/G.
-    static void refuse_closure(const scene::Continuum& choices);
+    /// Throws scene::SceneError, at the closure's place or else the scheme's, for a closure with terms in 1/G that has
+    /// a part in this gas.
+    static void refuse_closure(const scene::Continuum& choices, double restitution);
 
     /// Throws scene::SceneError for unknown names, for closures with terms in 1/G, and for ends other than walls.
     explicit Ftcs(Setup setup);

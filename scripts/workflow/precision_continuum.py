@@ -172,7 +172,7 @@ def rows(study):
     made, timings = [], study.timings()
     measures = {(name, closure): measure(study, closure) for name, measure in MEASURES.items() for closure in table.reference_closures(name)}
     for (name, scheme, knob), values in table.CURVES.items():
-        measure = measures[name, table.closure_of(scheme)]
+        measure = measures[name, table.closure_of(name, scheme)]
         for value in values:
             point = table.point(name, scheme, {knob: value})
             died, work = study.end(point.name)["exit_code"] != 0, work_of(study, point)

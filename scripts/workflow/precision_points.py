@@ -69,9 +69,9 @@ LIDS = (120.0, 200.0)  # the first is the scene's
 DEFAULT_CLOSURE, DENSE = ("jenkins_richman", "goldshtein"), ("jenkins_richman_dense", "goldshtein")
 
 
-def closure_of(scheme):
-    """The closure of a scheme's curves: the default one, and the one that ftcs can run. A scheme is held against the limit of its own."""
-    return DENSE if scheme == "ftcs" else DEFAULT_CLOSURE
+def closure_of(study, scheme):
+    """The closure of a scheme's curves: the default one, and the one that ftcs can run where the gas asks any. A scheme is held against the limit of its own."""
+    return DENSE if scheme == "ftcs" and study in REFERENCES else DEFAULT_CLOSURE
 
 
 @dataclass(frozen=True)
@@ -112,7 +112,7 @@ class Point:
 def point(study, scheme, settings, closure=None):
     """Settings equal to the defaults are left out, so that two curves share the point where they cross. Without a closure: that of the scheme's curves."""
     usual = DEFAULT.get(study, {})
-    return Point(study, scheme, tuple(sorted((k, v) for k, v in settings.items() if usual.get(k) != v)), closure or closure_of(scheme))
+    return Point(study, scheme, tuple(sorted((k, v) for k, v in settings.items() if usual.get(k) != v)), closure or closure_of(study, scheme))
 
 
 def curve(study, scheme, knob):
@@ -124,7 +124,7 @@ def reference_points(study, scheme, closure=DEFAULT_CLOSURE):
 
 
 def reference_closures(study):
-    return list(dict.fromkeys(closure_of(scheme) for name, scheme, _ in CURVES if name == study))
+    return list(dict.fromkeys(closure_of(name, scheme) for name, scheme, _ in CURVES if name == study))
 
 
 def bases(study, scheme, closure):

@@ -9,6 +9,7 @@
 #include "continuum/ftcs/ftcs.hpp"
 #include "continuum/parameters.hpp"
 #include "continuum/solver.hpp"
+#include "continuum/verification.hpp"
 #include "scene/errors.hpp"
 #include "scene/read_scene.hpp"
 #include "tests/support/catch.hpp"
@@ -168,6 +169,17 @@ TEST_CASE("the floor of ftcs in a tube is recorded") {
     const std::string printed = scene::print_scene(resolve(
         tube("column", "[continuum]\nscheme = \"ftcs\"\nclosure = \"jenkins_richman_dense\"\nspacing = 0.1\n")));
     CHECK_THAT(printed, Contains("\nfloor_density = 0.001\n"));
+}
+
+TEST_CASE("ftcs is asked for its closure only where the gas asks one") {
+    const std::string inviscid = "[continuum]\nscheme = \"ftcs\"\ntransport = \"inviscid\"\nspacing = 0.1\n";
+    const std::string walls = "[tube]\nlower = \"wall\"\nupper = \"wall\"\ntime = 1.0\n";
+    const scene::Scene elastic = resolve(tube("riemann", inviscid + walls));
+    CHECK_THAT(scene::print_scene(elastic), !Contains("\nclosure ="));
+    // Which it then gives up: forward differences without viscosity are stable at no step.
+    CHECK_THROWS_WITH(continuum::verify(elastic), Contains("unstable"));
+    CHECK_THROWS_WITH(resolve(tube("riemann", inviscid + walls + "restitution = 0.9\n")),
+                      Contains("it can run \"jenkins_richman_dense\""));
 }
 
 TEST_CASE("a uniform gas of the continuum alone is recorded without what the MD acts on, and starts from no file") {
