@@ -47,6 +47,18 @@ TEST_CASE("slabs append along the first axis") {
     CHECK_THROWS_AS(file.append<double>("/series", std::array{1.0}, {2}), std::logic_error);
 }
 
+TEST_CASE("a data set takes as many values as its shape has, neither fewer nor more") {
+    const support::TemporaryFolder folder;
+    Hdf5File file(folder / "a.h5", Open::create);
+    for (const std::size_t values : {5u, 7u})
+        CHECK_THROWS_AS(file.write<double>("/field", std::vector<double>(values), {2, 3}), std::logic_error);
+    file.create<double>("/rows", {2, 3});
+    CHECK_THROWS_AS(file.write_rows<double>("/rows", 0, std::vector<double>(4)), std::logic_error);
+    CHECK_THROWS_AS(file.write_rows<double>("/rows", 1, std::vector<double>(6)), std::logic_error);
+    file.write_rows<double>("/rows", 1, std::vector<double>{1, 2, 3});
+    CHECK(file.read<double>("/rows") == std::vector<double>{0, 0, 0, 1, 2, 3});
+}
+
 TEST_CASE("a hard link is the same dataset") {
     const support::TemporaryFolder folder;
     Hdf5File file(folder / "a.h5", Open::create);
